@@ -27,7 +27,7 @@ show_installing() {
   end_progress
 }
 
-# Installs what of installer/packages.txt is missing. $@: the groups wanted (run, test).
+# Installs what of installer/packages.txt is missing. $@: the groups wanted (run, package, test).
 install_packages() {
   local wanted missing=() package
   wanted=$(awk -v groups=" $* " '!/^#/ && NF == 2 && index(groups, " " $1 " ") {print $2}' "$root/installer/packages.txt")

@@ -11,7 +11,7 @@ for argument in "$@"; do
 done
 
 install_packages run
-build release -DFYD_BUILD_TESTS=OFF -DFYD_BUILD_BENCHMARKS=OFF
+build release -DFYD_BUILD_TESTS=OFF -DFYD_BUILD_BENCHMARKS=OFF -DFYD_BUILD_PYTHON=OFF
 [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || headless="No display"
 [ -n "$headless" ] || exec "$root/build/release/bin/fyd-console" "${arguments[@]}"
 say "$headless: running a session of 10 s without a window, on the simulated touchpad and robot"

@@ -4,8 +4,8 @@ set -euo pipefail
 source "$(dirname "$0")/common.sh"
 
 preset=${1:-release}
-install_packages run test
-build "$preset" -DFYD_BUILD_TESTS=ON -DFYD_WARNINGS_AS_ERRORS="${CI:+ON}"
+install_packages run package test
+build "$preset" -UFYD_BUILD_PYTHON -DFYD_BUILD_TESTS=ON -DFYD_WARNINGS_AS_ERRORS="${CI:+ON}"
 say "Running the tests"
 cd "$root"
 ctest --preset "$preset" --no-tests=error

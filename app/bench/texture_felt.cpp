@@ -11,6 +11,7 @@
 #include "core/base/whole_file.h"
 #include "core/signal/high_pass.h"
 #include "core/sim/material.h"
+#include "core/sim/resources.h"
 #include "core/sim/touchpad/finger_vibration.h"
 #include "core/texture/felt/felt_figures.h"
 #include "core/texture/felt/felt_mapping.h"
@@ -32,7 +33,6 @@ constexpr double kSensed_Hz = 200.0;  // the materials' broadband part ends ther
 constexpr std::array<double, 3> kBreakaway_percent = {5.0, 15.0, 25.0};
 constexpr std::array<double, 3> kResonance_Hz = {40.0, 70.0, 110.0};
 constexpr std::array<const char*, 5> kSurfaces = {"fabric", "glass", "ribbed_plastic", "sandpaper", "wood"};
-constexpr const char* kFolder = "resources/textures";
 
 struct Stroke {
   double speed_mm_s;
@@ -97,7 +97,7 @@ std::vector<Signal> materials() {
 std::vector<Signal> surfaces() {
   std::vector<Signal> out;
   for (const std::string name : kSurfaces) {
-    const std::string path = fmt::format("{}/{}.toml", kFolder, name);
+    const std::string path = sim::findResource(name, "textures");
     const auto text = readWholeFile(path);
     if (!text) continue;
     const auto model = parseSurface(*text, path);
@@ -294,7 +294,7 @@ Table table() {
       "peak, lag, duty and stretch are the worst of the runs. The first half second is left out.",
       "The simulated materials' broadband part ends at 200 Hz here. Nothing was tried on hardware."};
   if (of_surfaces.empty()) {
-    out.notes.push_back(fmt::format("{}: not found; run from the project's folder to include it.", kFolder));
+    out.notes.push_back(fmt::format("{}/textures: not found, so nothing of it is included.", sim::resourceFolder()));
   }
   return out;
 }

@@ -1,5 +1,5 @@
 // fyd-console: the operator's window. Exit codes: 0 success, 1 the session could not be opened, 2 wrong usage, 128 + N
-// ended by signal N, with the recording closed.
+// ended by signal N, 3 the display was lost, both with the recording closed.
 #include <QApplication>
 #include <QBuffer>
 #include <QFileInfo>
@@ -10,6 +10,7 @@
 
 #include "app/console/shell/language.h"
 #include "app/console/shell/options.h"
+#include "app/console/window/exit_guard.h"
 #include "app/console/window/geometry_dump.h"
 #include "app/console/window/main_window.h"
 #include "app/console/window/places.h"
@@ -115,6 +116,7 @@ int main(int argc, char** argv) {
     window.close();  // closes the recording too
     QApplication::quit();
   });
+  const fyd::console::ExitGuard guard([&window] { window.endWithoutDisplay(); });
   const int code = QApplication::exec();
   return fyd::endSignal() == 0 ? code : fyd::exitCodeOf(fyd::endSignal());
 }

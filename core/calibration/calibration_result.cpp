@@ -1,9 +1,26 @@
 #include "core/calibration/calibration_result.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fyd::calibration {
+
+Message errorWithUnit(double value, std::string_view unit) {
+  static constexpr std::array<std::string_view, 7> kFormats = {"{:.0f} {}", "{:.1f} {}", "{:.2f} {}", "{:.3f} {}",
+                                                               "{:.4f} {}", "{:.5f} {}", "{:.6f} {}"};
+  const bool has_digits = std::isfinite(value) && value != 0.0;
+  const double decimals = has_digits ? 1.0 - std::floor(std::log10(std::abs(value))) : 0.0;
+  const auto most = static_cast<double>(kFormats.size() - 1);
+  Message out(MessageKind::calibration, kFormats[static_cast<std::size_t>(std::clamp(decimals, 0.0, most))]);
+  out.add(value);
+  if (unit == "deg") {
+    out.add(phrase(sentence("deg")));  // the languages of the window write a sign
+  } else {
+    out.add(std::string(unit));
+  }
+  return out;
+}
 
 CalibrationResult refused(CalibrationResult result, Message reason, std::string_view threshold) {
   result.verdict = {.reason = std::move(reason), .threshold = std::string(threshold)};

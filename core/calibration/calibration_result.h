@@ -71,6 +71,9 @@ struct CalibrationResult {
   static constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
 };
 
+/// An error of a fit with its unit, as everybody shows it: two significant digits, never with an exponent.
+[[nodiscard]] Message errorWithUnit(double value, std::string_view unit);
+
 /// A result refused before or after its fit; keeps what is known.
 [[nodiscard]] CalibrationResult refused(CalibrationResult result, Message reason, std::string_view threshold = {});
 

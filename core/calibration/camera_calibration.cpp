@@ -304,12 +304,12 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
             "y_mm are wrong: it grows to the back, upward in the picture"));
   }
   if (!(result.held_out_rmse <= p.camera_held_out_mm)) {
-    result = refused(
-        std::move(result),
-        say("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse, p.camera_held_out_mm,
-            !hasFewOutliers(result) ? say("lay the target flat and set the camera square to it")
-                                    : say("measure the outliers again")),
-        "calibration.camera_held_out_mm");
+    result = refused(std::move(result),
+                     say("held-out error {}; expected at most {:g} mm: {}", errorWithUnit(result.held_out_rmse, "mm"),
+                         p.camera_held_out_mm,
+                         !hasFewOutliers(result) ? say("lay the target flat and set the camera square to it")
+                                                 : say("measure the outliers again")),
+                     "calibration.camera_held_out_mm");
     return out;
   }
   const double rotation = out.rotated ? out.rotation_deg : half_turn;
@@ -321,10 +321,10 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
                     {"sensing.finger_mirror", out.mirrored ? "true" : "false"}};
   if (std::isfinite(height.mm))
     result.changes.push_back({"sensing.camera_height_mm", fmt::format("{:.6g}", height.mm)});
-  result.verdict = {
-      .accepted = true,
-      .reason = say("held-out error {:.3f} mm of at most {:g} mm", result.held_out_rmse, p.camera_held_out_mm),
-      .threshold = "calibration.camera_held_out_mm"};
+  result.verdict = {.accepted = true,
+                    .reason = say("held-out error {} of at most {:g} mm", errorWithUnit(result.held_out_rmse, "mm"),
+                                  p.camera_held_out_mm),
+                    .threshold = "calibration.camera_held_out_mm"};
   return out;
 }
 

@@ -232,8 +232,8 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   const double share = std::exp(at.log_share), ratio = std::exp(at.log_ratio);
   const double share_part = std::sqrt(std::max(fit.covariance(0, 0), 0.0));
   const double ratio_part = std::sqrt(std::max(fit.covariance(1, 1), 0.0));
-  result.coefficients = {{"radius share", "1", share, share * share_part},
-                         {"tension ratio", "1", ratio, ratio * ratio_part}};
+  result.coefficients = {{std::string(sentence("radius share")), "1", share, share * share_part},
+                         {std::string(sentence("tension ratio")), "1", ratio, ratio * ratio_part}};
   result.held_out_rmse = rootMeanSquare(heldOut(fitter, presses, out.edges));
 
   const double share_limit = p.cloth_share_percent * (free ? kFreeLimits : 1.0);
@@ -249,9 +249,9 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   }
   if (!(result.held_out_rmse <= p.cloth_held_out_mm)) {
     result = refused(std::move(result),
-                     say("held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over "
+                     say("held-out error {}; expected at most {:g} mm: tare, and press straight down over "
                          "the middle of each sensor",
-                         result.held_out_rmse, p.cloth_held_out_mm),
+                         errorWithUnit(result.held_out_rmse, "mm"), p.cloth_held_out_mm),
                      "calibration.cloth_held_out_mm");
     return out;
   }
@@ -283,15 +283,15 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
       {"control.measurement_bias", fmt::format("{:.3g}", std::min(2.0 * out.stiffness_error, 1.0))});
   result.verdict = {
       .accepted = true,
-      .reason =
-          free
-              ? say("held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
-                    "{:.2f}; front and back edges are free: this cloth cannot be known better from such presses "
-                    "(about 0.7 mm and 20 % of stiffness)",
-                    result.held_out_rmse, p.cloth_held_out_mm, share, share * share_part, ratio, ratio * ratio_part)
-              : say("held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
-                    "{:.2f}; all edges are held",
-                    result.held_out_rmse, p.cloth_held_out_mm, share, share * share_part, ratio, ratio * ratio_part),
+      .reason = free ? say("held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
+                           "{:.2f}; front and back edges are free: this cloth cannot be known better from such presses "
+                           "(about 0.7 mm and 20 % of stiffness)",
+                           errorWithUnit(result.held_out_rmse, "mm"), p.cloth_held_out_mm, share, share * share_part,
+                           ratio, ratio * ratio_part)
+                     : say("held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± "
+                           "{:.2f}; all edges are held",
+                           errorWithUnit(result.held_out_rmse, "mm"), p.cloth_held_out_mm, share, share * share_part,
+                           ratio, ratio * ratio_part),
       .threshold = "calibration.cloth_held_out_mm"};
   return out;
 }

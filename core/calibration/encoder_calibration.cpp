@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kTurn = control::kEncoderCountsPerTurn;
 constexpr std::array<std::string_view, control::kMotorCount> kNames = {sentence("first"), sentence("second")};
+constexpr std::array<std::string_view, control::kMotorCount> kScales = {sentence("first scale"),
+                                                                        sentence("second scale")};
+constexpr std::array<std::string_view, control::kMotorCount> kZeros = {sentence("first zero"), sentence("second zero")};
 
 std::vector<double> unwrapped(const std::vector<double>& counts) {
   std::vector<double> out;
@@ -63,10 +66,10 @@ Problem calibrateOne(std::size_t motor, const EncoderSamples& s, const Calibrati
   found.inverted = found.counts_per_deg < 0;
   const double zero = fit->coefficients[1] - kTurn * std::floor(fit->coefficients[1] / kTurn);
   found.zero_counts = static_cast<int>(std::lround(zero)) % control::kEncoderCountsPerTurn;
-  const std::string name(kNames[motor]);
   CalibrationResult& result = out.result;
-  result.coefficients.push_back({name + " scale", "counts/deg", found.counts_per_deg, fit->standardError(0)});
-  result.coefficients.push_back({name + " zero", "counts", zero, fit->standardError(1)});
+  result.coefficients.push_back(
+      {std::string(kScales[motor]), "counts/deg", found.counts_per_deg, fit->standardError(0)});
+  result.coefficients.push_back({std::string(kZeros[motor]), "counts", zero, fit->standardError(1)});
   result.condition_number = std::fmax(result.condition_number, fit->condition_number);
   for (const double residual : fit->residuals) result.residuals.push_back(residual / control::kEncoderCountsPerDegree);
   const auto predicted = predictHeldOut(
@@ -135,8 +138,8 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   }
   if (!(result.held_out_rmse <= p.encoder_held_out_deg)) {
     result = refused(std::move(result),
-                     say("held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle",
-                         result.held_out_rmse, p.encoder_held_out_deg),
+                     say("held-out error {}; expected at most {:g}: sweep slower, and wait at each angle",
+                         errorWithUnit(result.held_out_rmse, "deg"), p.encoder_held_out_deg),
                      "calibration.encoder_held_out_deg");
     return out;
   }
@@ -146,10 +149,10 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
     result.changes.push_back(
         {fmt::format("control.encoder_{}_inverted", kNames[motor]), out.encoders[motor].inverted ? "true" : "false"});
   }
-  result.verdict = {
-      .accepted = true,
-      .reason = say("held-out error {:.3f} deg of at most {:g} deg", result.held_out_rmse, p.encoder_held_out_deg),
-      .threshold = "calibration.encoder_held_out_deg"};
+  result.verdict = {.accepted = true,
+                    .reason = say("held-out error {} of at most {:g} deg", errorWithUnit(result.held_out_rmse, "deg"),
+                                  p.encoder_held_out_deg),
+                    .threshold = "calibration.encoder_held_out_deg"};
   return out;
 }
 

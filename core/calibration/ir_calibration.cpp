@@ -203,7 +203,8 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
   if (!(result.held_out_rmse <= p.ir_held_out_mm)) {
     result =
         refused(std::move(result),
-                say("held-out error {:.2f} mm; expected at most {:g} mm: {}", result.held_out_rmse, p.ir_held_out_mm,
+                say("held-out error {}; expected at most {:g} mm: {}", errorWithUnit(result.held_out_rmse, "mm"),
+                    p.ir_held_out_mm,
                     !hasFewOutliers(result) ? say("average more readings at each distance, target square to the sensor")
                                             : say("measure the outliers again, or leave them out")),
                 "calibration.ir_held_out_mm");
@@ -211,8 +212,8 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
   }
   result.verdict = {
       .accepted = true,
-      .reason = say("{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}",
-                    result.curve, result.held_out_rmse, p.ir_held_out_mm, result.valid_from, result.valid_to),
+      .reason = say("{}: held-out error {} of at most {:g} mm, falls at every code from {:.0f} to {:.0f}", result.curve,
+                    errorWithUnit(result.held_out_rmse, "mm"), p.ir_held_out_mm, result.valid_from, result.valid_to),
       .threshold = "calibration.ir_held_out_mm"};
   return out;
 }

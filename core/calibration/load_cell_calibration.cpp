@@ -169,8 +169,8 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   const double slope = fit->coefficients[0], offset = fit->coefficients[1] - slope * centre;
   const double offset_variance =
       fit->covariance(1, 1) - 2 * centre * fit->covariance(0, 1) + centre * centre * fit->covariance(0, 0);
-  result.coefficients = {{"slope", "N/(mV/V)", slope, fit->standardError(0)},
-                         {"offset", "N", offset, std::sqrt(offset_variance)}};
+  result.coefficients = {{std::string(sentence("slope")), "N/(mV/V)", slope, fit->standardError(0)},
+                         {std::string(sentence("offset")), "N", offset, std::sqrt(offset_variance)}};
   result.rmse = fit->rmse;
   result.max_residual = fit->max_residual;
   result.condition_number = fit->condition_number;
@@ -198,12 +198,12 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   pointOut(out, span_N, p.force_hysteresis_percent);
 
   if (!(result.held_out_rmse <= p.force_held_out_N)) {
-    result =
-        refused(std::move(result),
-                say("held-out error {:.3f} N; expected at most {:g} N: {}", result.held_out_rmse, p.force_held_out_N,
-                    !hasFewOutliers(result) ? say("check the weights, and that nothing rubs on the cell")
-                                            : say("the outliers are kept in the fit; measure them again")),
-                "calibration.force_held_out_N");
+    result = refused(std::move(result),
+                     say("held-out error {}; expected at most {:g} N: {}", errorWithUnit(result.held_out_rmse, "N"),
+                         p.force_held_out_N,
+                         !hasFewOutliers(result) ? say("check the weights, and that nothing rubs on the cell")
+                                                 : say("the outliers are kept in the fit; measure them again")),
+                     "calibration.force_held_out_N");
     return out;
   }
   if (!(std::abs(slope) > kSureOfLoadCell * fit->standardError(0)) && fit->sigma > 0) {
@@ -214,8 +214,8 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
                     {"sensing.force_offset_g", fmt::format("{}", offset * 1000.0 / kStandardGravity)},
                     {"sensing.force_zero_N", "0"}};
   result.verdict = {.accepted = true,
-                    .reason = say("held-out error {:.4f} N of at most {:g} N over {} weights", result.held_out_rmse,
-                                  p.force_held_out_N, loads.size()),
+                    .reason = say("held-out error {} of at most {:g} N over {} weights",
+                                  errorWithUnit(result.held_out_rmse, "N"), p.force_held_out_N, loads.size()),
                     .threshold = "calibration.force_held_out_N"};
   return out;
 }

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kLargest_g = 1000.0;
 constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
+constexpr std::array<std::string_view, 3> kMeans = {sentence("mean x"), sentence("mean y"), sentence("mean z")};
 
 Message nextAction(sensing::TareState state) {
   using sensing::TareState;
@@ -57,8 +58,7 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
     out.mean_g[axis] = sum / n;
     for (const double a : s.axis_g[axis]) squares += (a - out.mean_g[axis]) * (a - out.mean_g[axis]);
     out.sigma_g[axis] = std::sqrt(squares / (n - 1));
-    result.coefficients.push_back(
-        {fmt::format("mean {}", kAxes[axis]), "g", out.mean_g[axis], out.sigma_g[axis] / std::sqrt(n)});
+    result.coefficients.push_back({std::string(kMeans[axis]), "g", out.mean_g[axis], out.sigma_g[axis] / std::sqrt(n)});
   }
   for (std::size_t i = 0; i < count; ++i) {
     result.residuals.push_back(

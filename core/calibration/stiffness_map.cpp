@@ -244,7 +244,8 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
   if (!(result.held_out_rmse <= p.stiffness_held_out_N)) {
     result = refused(
         std::move(result),
-        say("held-out error {:.3f} N; expected at most {:g} N: {}", result.held_out_rmse, p.stiffness_held_out_N,
+        say("held-out error {}; expected at most {:g} N: {}", errorWithUnit(result.held_out_rmse, "N"),
+            p.stiffness_held_out_N,
             !hasFewOutliers(result) ? say("press slower, and hold each depth") : say("measure the outliers again")),
         "calibration.stiffness_held_out_N");
     return out;
@@ -274,12 +275,11 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
   result.changes = {{"control.law", "interpolated"},
                     {"control.law_angle_deg", listOf(out.law_angle_deg)},
                     {"control.law_stiffness_N_per_mm", listOf(out.law_stiffness_N_per_mm)}};
-  result.verdict = {
-      .accepted = true,
-      .reason = say("held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm",
-                    result.held_out_rmse, p.stiffness_held_out_N, out.law_stiffness_N_per_mm.front(),
-                    out.law_stiffness_N_per_mm.back()),
-      .threshold = "calibration.stiffness_held_out_N"};
+  result.verdict = {.accepted = true,
+                    .reason = say("held-out error {} of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm",
+                                  errorWithUnit(result.held_out_rmse, "N"), p.stiffness_held_out_N,
+                                  out.law_stiffness_N_per_mm.front(), out.law_stiffness_N_per_mm.back()),
+                    .threshold = "calibration.stiffness_held_out_N"};
   return out;
 }
 

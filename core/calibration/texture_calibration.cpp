@@ -44,10 +44,10 @@ TextureCalibration calibrateTexture(const std::vector<texture::SweepRow>& sweep,
     result.valid_to = std::max(result.valid_to, cloth.stretch_deg);
     result.residuals.push_back(cloth.resonance_Hz - plant.resonanceAt_Hz(cloth.stretch_deg));
   }
-  result.coefficients = {{"resonance", "Hz", plant.resonance_Hz, found->sigma_resonance_Hz},
-                         {"damping", "1", plant.damping, damping_error}};
+  result.coefficients = {{std::string(sentence("resonance")), "Hz", plant.resonance_Hz, found->sigma_resonance_Hz},
+                         {std::string(sentence("damping")), "1", plant.damping, damping_error}};
   for (const texture::FoundBreakaway& motor : found->breakaway) {
-    result.coefficients.push_back({"breakaway", "%", motor.percent, motor.sigma_percent});
+    result.coefficients.push_back({std::string(sentence("breakaway")), "%", motor.percent, motor.sigma_percent});
   }
   result.held_out_rmse = found->held_out_error;
   result.changes = changesTo(plant, profile);

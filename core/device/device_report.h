@@ -45,11 +45,12 @@ struct CameraControl {
 
 struct DeviceReport {
   Part part = Part::touchpad;
-  Message kind;         ///< "simulated", "Modbus TCP", "Modbus RTU", "qbmove", …
-  Message description;  ///< which one it is: port, serial number, firmware
+  Message kind;            ///< "simulated", "Modbus TCP", "Modbus RTU", "qbmove", …
+  Message description;     ///< which one it is: port, serial number, firmware
   bool simulated = false;  ///< its values are computed in this program, nothing is measured
   bool ok = false;
   Message problem;                                           ///< empty when ok; otherwise with the remedy
+  bool in_use = false;                                       ///< the problem: it is there, and another program has it
   double rate_hz = 0.0;                                      ///< answers or pictures in the last second
   double age_ms = std::numeric_limits<double>::quiet_NaN();  ///< of the newest; NaN before the first
   std::uint64_t errors = 0;                                  ///< exchanges or pictures that failed

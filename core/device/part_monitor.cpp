@@ -1,5 +1,7 @@
 #include "core/device/part_monitor.h"
 
+#include "core/device/in_use.h"
+
 namespace fyd::device {
 
 PartMonitor::PartMonitor(Part part, Message description, Duration longest_silence, Message waiting)
@@ -49,6 +51,7 @@ void PartMonitor::fillIn(DeviceReport& report, Instant now) const {
   const std::lock_guard lock(mutex_);
   report.problem = problemAt(now);
   report.ok = report.problem.empty();
+  report.in_use = isInUse(report.problem);
   report.rate_hz = seen_ && now - newest_ < std::chrono::seconds(2) ? rate_.rate_hz() : 0.0;
   report.age_ms = seen_ ? toMilliseconds(now - newest_) : std::numeric_limits<double>::quiet_NaN();
   report.errors = errors_;

@@ -26,7 +26,7 @@ class PartMonitor {
   [[nodiscard]] Message problem(Instant now) const;
   /// Part and description, and what `fillIn` writes.
   [[nodiscard]] DeviceReport report(Instant now) const;
-  /// Writes ok, problem, rate_hz, age_ms and errors.
+  /// Writes ok, problem, in_use, rate_hz, age_ms and errors.
   void fillIn(DeviceReport& report, Instant now) const;
 
  private:

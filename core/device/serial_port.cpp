@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "core/base/system_reason.h"
+#include "core/device/in_use.h"
 
 namespace fyd::device {
 namespace {
@@ -96,7 +97,7 @@ Message explainPort(const std::string& path, int problem) {
     case EPERM:
       return say("{}: no permission. Add yourself to its group with \"sudo usermod -aG {} $USER\" and log in again",
                  path, groupOf(path));
-    case EBUSY: return say("{}: in use by another program (\"fuser {}\" names it)", path, path);
+    case EBUSY: return portInUse(path);
     case ENOENT: return say("{}: there is no such port; is the cable plugged in?", path);
     case ENXIO:
     case ENODEV:

@@ -6,6 +6,7 @@
 
 #include "core/base/system_reason.h"
 #include "core/base/whole_file.h"
+#include "core/sim/resources.h"
 
 namespace fyd::sim {
 namespace {
@@ -31,7 +32,8 @@ Result<scene::Mesh> openMesh(const std::string& path, scene::LengthUnit unit) {
   return mesh;
 }
 
-Result<scene::LoadedScene> openScene(const std::string& path) {
+Result<scene::LoadedScene> openScene(const std::string& given) {
+  const std::string path = findResource(given, "scenes");
   const auto text = readWholeFile(path, kLargestScene_bytes);
   if (!text) return tl::unexpected(text.error());
   auto description = scene::parseScene(*text, path);

@@ -8,6 +8,7 @@
 #include "core/replay/recorded_touchpad.h"
 #include "core/scene/felt_scene.h"
 #include "core/sim/gesture_card.h"
+#include "core/sim/resources.h"
 #include "core/sim/scene_file.h"
 #include "core/sim/touchpad/simulated_camera.h"
 #include "core/sim/touchpad/simulated_touchpad.h"
@@ -16,8 +17,9 @@
 namespace fyd::station {
 namespace {
 
-Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& path) {
-  if (path.empty()) return std::nullopt;
+Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& given) {
+  if (given.empty()) return std::nullopt;
+  const std::string path = sim::findResource(given, "textures");
   const auto text = readWholeFile(path);
   if (!text) return tl::unexpected(text.error());
   auto model = texture::parseSurface(*text, path);

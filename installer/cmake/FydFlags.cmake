@@ -19,13 +19,19 @@ if(FYD_SANITIZE)
 endif()
 
 # Hardened, as Debian's packages are (hardening-check names each); position-independent programs are GCC's default there.
-if(NOT FYD_SANITIZE AND NOT FYD_BUILD_FUZZERS)
+if(NOT FYD_SANITIZE AND NOT FYD_BUILD_FUZZERS AND NOT FYD_COVERAGE)
   target_compile_options(fyd_flags INTERFACE -fstack-protector-strong -fstack-clash-protection -Werror=format-security)
   target_compile_definitions(fyd_flags INTERFACE $<$<CONFIG:Release>:_FORTIFY_SOURCE=2>)  # it needs an optimised build
   target_link_options(fyd_flags INTERFACE LINKER:-z,relro LINKER:-z,now)
 endif()
 # The folder of the source is in no object: built in two places, a program is the same to the byte.
-target_compile_options(fyd_flags INTERFACE "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
+# Counted, an object must say where its counts are read.
+if(FYD_COVERAGE)
+  target_compile_options(fyd_flags INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(fyd_flags INTERFACE --coverage)
+else()
+  target_compile_options(fyd_flags INTERFACE "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
+endif()
 
 find_program(FYD_CCACHE ccache)
 if(FYD_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

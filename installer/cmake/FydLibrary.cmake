@@ -1,4 +1,7 @@
 # libfyd: the shared library for other programs, its headers, and what CMake and pkg-config need to find them.
+if(CMAKE_LIBRARY_ARCHITECTURE)  # where Debian looks for libraries, below /usr/local and other prefixes too
+  set(CMAKE_INSTALL_LIBDIR "lib/${CMAKE_LIBRARY_ARCHITECTURE}")
+endif()
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -706,6 +706,14 @@
         <translation>Une indentation moins certaine que cela est indisponible.</translation>
     </message>
     <message>
+        <source>Another program drives the touchpad</source>
+        <translation>Un autre programme commande le touchpad</translation>
+    </message>
+    <message>
+        <source>Another program has the motor board</source>
+        <translation>Un autre programme utilise la carte moteurs</translation>
+    </message>
+    <message>
         <source>Answers</source>
         <translation>Réponses</translation>
     </message>
@@ -1202,6 +1210,10 @@
         <translation>Fermer le panneau de réglage</translation>
     </message>
     <message>
+        <source>Close what has it at %1, such as another console; this one then takes it by itself.</source>
+        <translation>Fermer ce qui l'utilise à %1, par exemple une autre console ; celle-ci le reprend ensuite d'elle-même.</translation>
+    </message>
+    <message>
         <source>Close: %1</source>
         <translation>Fermer : %1</translation>
     </message>
@@ -1232,6 +1244,10 @@
     <message>
         <source>Cloth tension ratio</source>
         <translation>Rapport de tension du tissu</translation>
+    </message>
+    <message>
+        <source>Coefficient</source>
+        <translation>Coefficient</translation>
     </message>
     <message>
         <source>Commanded, °</source>
@@ -1948,6 +1964,10 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
     <message>
         <source>Fit</source>
         <translation>Ajustement</translation>
+    </message>
+    <message>
+        <source>Fitted</source>
+        <translation>Ajusté</translation>
     </message>
     <message>
         <source>Folder of pictures</source>
@@ -3210,6 +3230,10 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     <message>
         <source>None</source>
         <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>None: a mean, or points without scatter.</source>
+        <translation>Aucune : une moyenne, ou des points sans dispersion.</translation>
     </message>
     <message>
         <source>Not a directory</source>
@@ -4922,6 +4946,10 @@ Pour commencer : %1</translation>
         <translation>Le doigt simulé la joue : Conduite, Doigt, Carte de geste.</translation>
     </message>
     <message>
+        <source>The standard uncertainty is one standard deviation, from the scatter of the points.</source>
+        <translation>L'incertitude type est un écart-type, d'après la dispersion des points.</translation>
+    </message>
+    <message>
         <source>The station did not take the command: too many at once. Try again.</source>
         <translation>La station n'a pas pris la commande : trop à la fois. Réessayer.</translation>
     </message>
@@ -4946,8 +4974,8 @@ Pour commencer : %1</translation>
         <translation>La consigne est hors de portée ; rendu de la plus proche, {:.3f} N/mm.</translation>
     </message>
     <message>
-        <source>The theme changes once nothing renders: Esc would not be heard meanwhile.</source>
-        <translation>Le thème change quand plus rien n'est rendu : Échap ne serait pas entendu entre-temps.</translation>
+        <source>The theme changes once the motors are off: Esc would not be heard meanwhile.</source>
+        <translation>Le thème change quand les moteurs sont éteints : Échap ne serait pas entendu entre-temps.</translation>
     </message>
     <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
@@ -5028,6 +5056,10 @@ Pour commencer : %1</translation>
     <message>
         <source>They are asked again by themselves: check power and cables.</source>
         <translation>Ils sont interrogés de nouveau d’eux-mêmes : vérifier l’alimentation et les câbles.</translation>
+    </message>
+    <message>
+        <source>They are asked again by themselves: close the other program.</source>
+        <translation>Ils sont interrogés de nouveau d’eux-mêmes : fermer l’autre programme.</translation>
     </message>
     <message>
         <source>This angle is taken.</source>
@@ -5180,6 +5212,10 @@ Pour commencer : %1</translation>
     <message>
         <source>UDP {}: {}: {}</source>
         <translation>UDP {} : {} : {}</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Incertitude</translation>
     </message>
     <message>
         <source>Uncertainty of the cloth's formula</source>
@@ -5340,6 +5376,10 @@ Pour commencer : %1</translation>
     <message>
         <source>What was asked, and what the part that holds it says of it. A value counts as confirmed only when that part has said so.</source>
         <translation>Ce qui a été demandé, et ce qu'en dit la partie qui le tient. Une valeur n'est confirmée que lorsque cette partie l'a dit.</translation>
+    </message>
+    <message>
+        <source>What was fitted, with its standard uncertainty</source>
+        <translation>Ce qui a été ajusté, avec son incertitude type</translation>
     </message>
     <message>
         <source>Where the arm is led: where the finger will be when it gets there.</source>
@@ -5934,6 +5974,14 @@ Pour commencer : %1</translation>
         <translation>catalogue : le mot contient un mot de passe, que journaux et listes de processus montreraient ; le mettre plutôt dans ~/.pgpass (mode 600)</translation>
     </message>
     <message>
+        <source>changed and not saved: %1</source>
+        <translation>modifiés et non enregistrés : %1</translation>
+    </message>
+    <message>
+        <source>changed and not saved: %1 and %2 more</source>
+        <translation>modifiés et non enregistrés : %1 et %2 autres</translation>
+    </message>
+    <message>
         <source>changed since it was calibrated %1 days ago</source>
         <translation>changé depuis l'étalonnage il y a %1 jours</translation>
     </message>
@@ -6146,6 +6194,10 @@ Pour commencer : %1</translation>
         <translation>endommagé : {} octets compressés ne donnent pas les {} qu'ils devraient</translation>
     </message>
     <message>
+        <source>damping</source>
+        <translation>amortissement</translation>
+    </message>
+    <message>
         <source>dashed</source>
         <translation>tirets</translation>
     </message>
@@ -6160,6 +6212,10 @@ Pour commencer : %1</translation>
     <message>
         <source>default %1</source>
         <translation>par défaut %1</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>°</translation>
     </message>
     <message>
         <source>delay {} ms: expected 0 … {}</source>
@@ -6466,6 +6522,14 @@ Pour commencer : %1</translation>
         <translation>premier</translation>
     </message>
     <message>
+        <source>first scale</source>
+        <translation>échelle du premier</translation>
+    </message>
+    <message>
+        <source>first zero</source>
+        <translation>zéro du premier</translation>
+    </message>
+    <message>
         <source>flat picture</source>
         <translation>image plate</translation>
     </message>
@@ -6586,44 +6650,44 @@ Pour commencer : %1</translation>
         <translation>bords tenus et bords libres conviennent presque autant (erreur {:.2f} et {:.2f} mm) : les bords ne sont pas prouvés</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle</source>
-        <translation>erreur de vérification {:.2f}° ; attendu au plus {:g} : balayer plus lentement, et attendre à chaque angle</translation>
+        <source>held-out error {} of at most {:g} N over {} weights</source>
+        <translation>erreur de vérification {} (au plus {:g} N) sur {} poids</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
-        <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; tous les bords sont tenus</translation>
+        <source>held-out error {} of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
+        <translation>erreur de vérification {} (au plus {:g} N) ; la raideur croît de {:.3f} à {:.3f} N/mm</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
-        <translation>erreur sur les points exclus {:.2f} mm, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; les bords avant et arrière sont libres : de tels appuis ne peuvent faire mieux connaître ce tissu (environ 0,7 mm et 20 % de raideur)</translation>
+        <source>held-out error {} of at most {:g} deg</source>
+        <translation>erreur de vérification {} (au plus {:g}°)</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
-        <translation>erreur sur les points exclus {:.2f} mm ; attendu au plus {:g} mm : faites la tare et appuyez bien droit au-dessus du milieu de chaque capteur</translation>
+        <source>held-out error {} of at most {:g} mm</source>
+        <translation>erreur de vérification {} (au plus {:g} mm)</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm; expected at most {:g} mm: {}</source>
-        <translation>erreur de vérification {:.2f} mm ; attendu au plus {:g} mm : {}</translation>
+        <source>held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
+        <translation>erreur de vérification {}, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; tous les bords sont tenus</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
-        <translation>erreur de vérification {:.3f} N (au plus {:g} N) ; la raideur croît de {:.3f} à {:.3f} N/mm</translation>
+        <source>held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
+        <translation>erreur de vérification {}, au plus {:g} mm ; part du rayon {:.3f} ± {:.3f}, rapport de tension {:.2f} ± {:.2f} ; les bords avant et arrière sont libres : de tels appuis ne peuvent faire mieux connaître ce tissu (environ 0,7 mm et 20 % de raideur)</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} N; expected at most {:g} N: {}</source>
-        <translation>erreur de vérification {:.3f} N ; attendu au plus {:g} N : {}</translation>
+        <source>held-out error {}; expected at most {:g} N: {}</source>
+        <translation>erreur de vérification {} ; attendu au plus {:g} N : {}</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} deg of at most {:g} deg</source>
-        <translation>erreur de vérification {:.3f}° (au plus {:g}°)</translation>
+        <source>held-out error {}; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
+        <translation>erreur de vérification {} ; attendu au plus {:g} mm : faites la tare et appuyez bien droit au-dessus du milieu de chaque capteur</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} mm of at most {:g} mm</source>
-        <translation>erreur de vérification {:.3f} mm (au plus {:g} mm)</translation>
+        <source>held-out error {}; expected at most {:g} mm: {}</source>
+        <translation>erreur de vérification {} ; attendu au plus {:g} mm : {}</translation>
     </message>
     <message>
-        <source>held-out error {:.4f} N of at most {:g} N over {} weights</source>
-        <translation>erreur de vérification {:.4f} N (au plus {:g} N) sur {} poids</translation>
+        <source>held-out error {}; expected at most {:g}: sweep slower, and wait at each angle</source>
+        <translation>erreur de vérification {} ; attendu au plus {:g} : balayer plus lentement, et attendre à chaque angle</translation>
     </message>
     <message>
         <source>histogram</source>
@@ -6828,6 +6892,18 @@ Pour commencer : %1</translation>
     <message>
         <source>mean</source>
         <translation>moyenne</translation>
+    </message>
+    <message>
+        <source>mean x</source>
+        <translation>moyenne x</translation>
+    </message>
+    <message>
+        <source>mean y</source>
+        <translation>moyenne y</translation>
+    </message>
+    <message>
+        <source>mean z</source>
+        <translation>moyenne z</translation>
     </message>
     <message>
         <source>measure the outliers again</source>
@@ -7230,6 +7306,10 @@ Pour commencer : %1</translation>
         <translation>éteint</translation>
     </message>
     <message>
+        <source>offset</source>
+        <translation>décalage</translation>
+    </message>
+    <message>
         <source>offset of the commanded</source>
         <translation>décalage du commandé</translation>
     </message>
@@ -7486,6 +7566,10 @@ Pour commencer : %1</translation>
         <translation>arrêt rapide en cours</translation>
     </message>
     <message>
+        <source>radius share</source>
+        <translation>part du rayon</translation>
+    </message>
+    <message>
         <source>radius share %1 ± %2</source>
         <translation>part du rayon %1 ± %2</translation>
     </message>
@@ -7584,6 +7668,10 @@ Pour commencer : %1</translation>
     <message>
         <source>repeated pictures</source>
         <translation>images répétées</translation>
+    </message>
+    <message>
+        <source>resonance</source>
+        <translation>résonance</translation>
     </message>
     <message>
         <source>resume</source>
@@ -7702,6 +7790,14 @@ Pour commencer : %1</translation>
         <translation>second</translation>
     </message>
     <message>
+        <source>second scale</source>
+        <translation>échelle du second</translation>
+    </message>
+    <message>
+        <source>second zero</source>
+        <translation>zéro du second</translation>
+    </message>
+    <message>
         <source>send info and pause</source>
         <translation>envoyer les informations et pause</translation>
     </message>
@@ -7792,6 +7888,10 @@ Pour commencer : %1</translation>
     <message>
         <source>skipped</source>
         <translation>omise</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>pente</translation>
     </message>
     <message>
         <source>slope fits force against indentation with uncertainty; thesis is the bare ratio.</source>
@@ -7960,6 +8060,10 @@ Pour commencer : %1</translation>
     <message>
         <source>temperature {}</source>
         <translation>température {}</translation>
+    </message>
+    <message>
+        <source>tension ratio</source>
+        <translation>rapport de tension</translation>
     </message>
     <message>
         <source>tension ratio %1 ± %2</source>
@@ -9246,8 +9350,8 @@ Pour commencer : %1</translation>
         <translation>{} : n'a pas de sommes de contrôle</translation>
     </message>
     <message>
-        <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
-        <translation>{} : erreur de vérification {:.2f} mm (au plus {:g} mm), décroît à chaque code de {:.0f} à {:.0f}</translation>
+        <source>{}: held-out error {} of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
+        <translation>{} : erreur de vérification {} (au plus {:g} mm), décroît à chaque code de {:.0f} à {:.0f}</translation>
     </message>
     <message>
         <source>{}: holds no picture</source>

@@ -706,6 +706,14 @@
         <translation>Un'indentazione meno certa di così non è disponibile.</translation>
     </message>
     <message>
+        <source>Another program drives the touchpad</source>
+        <translation>Un altro programma comanda il touchpad</translation>
+    </message>
+    <message>
+        <source>Another program has the motor board</source>
+        <translation>Un altro programma usa la scheda dei motori</translation>
+    </message>
+    <message>
         <source>Answers</source>
         <translation>Risposte</translation>
     </message>
@@ -1202,6 +1210,10 @@
         <translation>Chiudi il pannello di regolazione</translation>
     </message>
     <message>
+        <source>Close what has it at %1, such as another console; this one then takes it by itself.</source>
+        <translation>Chiudere ciò che lo usa su %1, per esempio un'altra console; questa lo prende poi da sola.</translation>
+    </message>
+    <message>
         <source>Close: %1</source>
         <translation>Chiudi: %1</translation>
     </message>
@@ -1232,6 +1244,10 @@
     <message>
         <source>Cloth tension ratio</source>
         <translation>Rapporto di tensione del tessuto</translation>
+    </message>
+    <message>
+        <source>Coefficient</source>
+        <translation>Coefficiente</translation>
     </message>
     <message>
         <source>Commanded, °</source>
@@ -1948,6 +1964,10 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
     <message>
         <source>Fit</source>
         <translation>Adattamento</translation>
+    </message>
+    <message>
+        <source>Fitted</source>
+        <translation>Adattato</translation>
     </message>
     <message>
         <source>Folder of pictures</source>
@@ -3210,6 +3230,10 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
     <message>
         <source>None</source>
         <translation>Nessuno</translation>
+    </message>
+    <message>
+        <source>None: a mean, or points without scatter.</source>
+        <translation>Nessuna: una media, o punti senza dispersione.</translation>
     </message>
     <message>
         <source>Not a directory</source>
@@ -4922,6 +4946,10 @@ Per cominciare: %1</translation>
         <translation>Il dito simulato la esegue: Lavoro, Dito, Scheda di gesto.</translation>
     </message>
     <message>
+        <source>The standard uncertainty is one standard deviation, from the scatter of the points.</source>
+        <translation>L'incertezza tipo è una deviazione standard, dalla dispersione dei punti.</translation>
+    </message>
+    <message>
         <source>The station did not take the command: too many at once. Try again.</source>
         <translation>La stazione non ha preso il comando: troppi in una volta. Riprovare.</translation>
     </message>
@@ -4946,8 +4974,8 @@ Per cominciare: %1</translation>
         <translation>L'obiettivo è fuori portata; si rende il più vicino, {:.3f} N/mm.</translation>
     </message>
     <message>
-        <source>The theme changes once nothing renders: Esc would not be heard meanwhile.</source>
-        <translation>Il tema cambia quando nulla è più reso: nel frattempo Esc non sarebbe sentito.</translation>
+        <source>The theme changes once the motors are off: Esc would not be heard meanwhile.</source>
+        <translation>Il tema cambia quando i motori sono spenti: nel frattempo Esc non sarebbe sentito.</translation>
     </message>
     <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
@@ -5028,6 +5056,10 @@ Per cominciare: %1</translation>
     <message>
         <source>They are asked again by themselves: check power and cables.</source>
         <translation>Vengono interrogati di nuovo da soli: controllare alimentazione e cavi.</translation>
+    </message>
+    <message>
+        <source>They are asked again by themselves: close the other program.</source>
+        <translation>Vengono interrogati di nuovo da soli: chiudere l'altro programma.</translation>
     </message>
     <message>
         <source>This angle is taken.</source>
@@ -5180,6 +5212,10 @@ Per cominciare: %1</translation>
     <message>
         <source>UDP {}: {}: {}</source>
         <translation>UDP {}: {}: {}</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Incertezza</translation>
     </message>
     <message>
         <source>Uncertainty of the cloth's formula</source>
@@ -5340,6 +5376,10 @@ Per cominciare: %1</translation>
     <message>
         <source>What was asked, and what the part that holds it says of it. A value counts as confirmed only when that part has said so.</source>
         <translation>Che cosa è stato chiesto, e che cosa ne dice la parte che lo tiene. Un valore è confermato solo quando quella parte lo ha detto.</translation>
+    </message>
+    <message>
+        <source>What was fitted, with its standard uncertainty</source>
+        <translation>Ciò che è stato adattato, con la sua incertezza tipo</translation>
     </message>
     <message>
         <source>Where the arm is led: where the finger will be when it gets there.</source>
@@ -5934,6 +5974,14 @@ Per cominciare: %1</translation>
         <translation>catalogo: la parola contiene una password, che registri ed elenchi di processi mostrerebbero; metterla invece in ~/.pgpass (modo 600)</translation>
     </message>
     <message>
+        <source>changed and not saved: %1</source>
+        <translation>modificati e non salvati: %1</translation>
+    </message>
+    <message>
+        <source>changed and not saved: %1 and %2 more</source>
+        <translation>modificati e non salvati: %1 e altri %2</translation>
+    </message>
+    <message>
         <source>changed since it was calibrated %1 days ago</source>
         <translation>cambiato dopo la calibrazione di %1 giorni fa</translation>
     </message>
@@ -6146,6 +6194,10 @@ Per cominciare: %1</translation>
         <translation>danneggiato: {} byte compressi non danno i {} che dovrebbero</translation>
     </message>
     <message>
+        <source>damping</source>
+        <translation>smorzamento</translation>
+    </message>
+    <message>
         <source>dashed</source>
         <translation>tratteggiata</translation>
     </message>
@@ -6160,6 +6212,10 @@ Per cominciare: %1</translation>
     <message>
         <source>default %1</source>
         <translation>predefinito %1</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>°</translation>
     </message>
     <message>
         <source>delay {} ms: expected 0 … {}</source>
@@ -6466,6 +6522,14 @@ Per cominciare: %1</translation>
         <translation>primo</translation>
     </message>
     <message>
+        <source>first scale</source>
+        <translation>scala del primo</translation>
+    </message>
+    <message>
+        <source>first zero</source>
+        <translation>zero del primo</translation>
+    </message>
+    <message>
         <source>flat picture</source>
         <translation>immagine piatta</translation>
     </message>
@@ -6586,44 +6650,44 @@ Per cominciare: %1</translation>
         <translation>bordi tenuti e bordi liberi si adattano quasi ugualmente (errore {:.2f} e {:.2f} mm): i bordi non sono provati</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} deg; expected at most {:g}: sweep slower, and wait at each angle</source>
-        <translation>errore di verifica {:.2f} deg; atteso al più {:g}: muovere più piano, e attendere a ogni angolo</translation>
+        <source>held-out error {} of at most {:g} N over {} weights</source>
+        <translation>errore di verifica {} su al più {:g} N con {} pesi</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
-        <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; tutti i bordi sono tenuti</translation>
+        <source>held-out error {} of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
+        <translation>errore di verifica {} su al più {:g} N; la rigidezza cresce da {:.3f} a {:.3f} N/mm</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
-        <translation>errore sui punti esclusi {:.2f} mm di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; i bordi davanti e dietro sono liberi: da tali pressioni questo tessuto non si può conoscere meglio (circa 0,7 mm e 20 % di rigidezza)</translation>
+        <source>held-out error {} of at most {:g} deg</source>
+        <translation>errore di verifica {} su al più {:g} deg</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
-        <translation>errore sui punti esclusi {:.2f} mm; atteso al massimo {:g} mm: fare la tara e premere dritto sopra il centro di ogni sensore</translation>
+        <source>held-out error {} of at most {:g} mm</source>
+        <translation>errore di verifica {} su al più {:g} mm</translation>
     </message>
     <message>
-        <source>held-out error {:.2f} mm; expected at most {:g} mm: {}</source>
-        <translation>errore di verifica {:.2f} mm; atteso al più {:g} mm: {}</translation>
+        <source>held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; all edges are held</source>
+        <translation>errore di verifica {} di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; tutti i bordi sono tenuti</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} N of at most {:g} N; stiffness rises from {:.3f} to {:.3f} N/mm</source>
-        <translation>errore di verifica {:.3f} N su al più {:g} N; la rigidezza cresce da {:.3f} a {:.3f} N/mm</translation>
+        <source>held-out error {} of at most {:g} mm; radius share {:.3f} ± {:.3f}, tension ratio {:.2f} ± {:.2f}; front and back edges are free: this cloth cannot be known better from such presses (about 0.7 mm and 20 % of stiffness)</source>
+        <translation>errore di verifica {} di al massimo {:g} mm; quota del raggio {:.3f} ± {:.3f}, rapporto di tensione {:.2f} ± {:.2f}; i bordi davanti e dietro sono liberi: da tali pressioni questo tessuto non si può conoscere meglio (circa 0,7 mm e 20 % di rigidezza)</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} N; expected at most {:g} N: {}</source>
-        <translation>errore di verifica {:.3f} N; atteso al più {:g} N: {}</translation>
+        <source>held-out error {}; expected at most {:g} N: {}</source>
+        <translation>errore di verifica {}; atteso al più {:g} N: {}</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} deg of at most {:g} deg</source>
-        <translation>errore di verifica {:.3f} deg su al più {:g} deg</translation>
+        <source>held-out error {}; expected at most {:g} mm: tare, and press straight down over the middle of each sensor</source>
+        <translation>errore di verifica {}; atteso al massimo {:g} mm: fare la tara e premere dritto sopra il centro di ogni sensore</translation>
     </message>
     <message>
-        <source>held-out error {:.3f} mm of at most {:g} mm</source>
-        <translation>errore di verifica {:.3f} mm su al più {:g} mm</translation>
+        <source>held-out error {}; expected at most {:g} mm: {}</source>
+        <translation>errore di verifica {}; atteso al più {:g} mm: {}</translation>
     </message>
     <message>
-        <source>held-out error {:.4f} N of at most {:g} N over {} weights</source>
-        <translation>errore di verifica {:.4f} N su al più {:g} N con {} pesi</translation>
+        <source>held-out error {}; expected at most {:g}: sweep slower, and wait at each angle</source>
+        <translation>errore di verifica {}; atteso al più {:g}: muovere più piano, e attendere a ogni angolo</translation>
     </message>
     <message>
         <source>histogram</source>
@@ -6828,6 +6892,18 @@ Per cominciare: %1</translation>
     <message>
         <source>mean</source>
         <translation>media</translation>
+    </message>
+    <message>
+        <source>mean x</source>
+        <translation>media x</translation>
+    </message>
+    <message>
+        <source>mean y</source>
+        <translation>media y</translation>
+    </message>
+    <message>
+        <source>mean z</source>
+        <translation>media z</translation>
     </message>
     <message>
         <source>measure the outliers again</source>
@@ -7230,6 +7306,10 @@ Per cominciare: %1</translation>
         <translation>spento</translation>
     </message>
     <message>
+        <source>offset</source>
+        <translation>scostamento</translation>
+    </message>
+    <message>
         <source>offset of the commanded</source>
         <translation>scarto del comandato</translation>
     </message>
@@ -7486,6 +7566,10 @@ Per cominciare: %1</translation>
         <translation>arresto rapido in corso</translation>
     </message>
     <message>
+        <source>radius share</source>
+        <translation>quota del raggio</translation>
+    </message>
+    <message>
         <source>radius share %1 ± %2</source>
         <translation>quota del raggio %1 ± %2</translation>
     </message>
@@ -7584,6 +7668,10 @@ Per cominciare: %1</translation>
     <message>
         <source>repeated pictures</source>
         <translation>immagini ripetute</translation>
+    </message>
+    <message>
+        <source>resonance</source>
+        <translation>risonanza</translation>
     </message>
     <message>
         <source>resume</source>
@@ -7702,6 +7790,14 @@ Per cominciare: %1</translation>
         <translation>secondo</translation>
     </message>
     <message>
+        <source>second scale</source>
+        <translation>scala del secondo</translation>
+    </message>
+    <message>
+        <source>second zero</source>
+        <translation>zero del secondo</translation>
+    </message>
+    <message>
         <source>send info and pause</source>
         <translation>inviare informazioni e pausa</translation>
     </message>
@@ -7792,6 +7888,10 @@ Per cominciare: %1</translation>
     <message>
         <source>skipped</source>
         <translation>saltata</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>pendenza</translation>
     </message>
     <message>
         <source>slope fits force against indentation with uncertainty; thesis is the bare ratio.</source>
@@ -7960,6 +8060,10 @@ Per cominciare: %1</translation>
     <message>
         <source>temperature {}</source>
         <translation>temperatura {}</translation>
+    </message>
+    <message>
+        <source>tension ratio</source>
+        <translation>rapporto di tensione</translation>
     </message>
     <message>
         <source>tension ratio %1 ± %2</source>
@@ -9246,8 +9350,8 @@ Per cominciare: %1</translation>
         <translation>{}: non ha somme di controllo</translation>
     </message>
     <message>
-        <source>{}: held-out error {:.2f} mm of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
-        <translation>{}: errore di verifica {:.2f} mm su al più {:g} mm, decresce a ogni codice da {:.0f} a {:.0f}</translation>
+        <source>{}: held-out error {} of at most {:g} mm, falls at every code from {:.0f} to {:.0f}</source>
+        <translation>{}: errore di verifica {} su al più {:g} mm, decresce a ogni codice da {:.0f} a {:.0f}</translation>
     </message>
     <message>
         <source>{}: holds no picture</source>

@@ -25,7 +25,7 @@ RANKS = [
     ["core/report"],
     ["core/station"],
     ["widgets"],
-    ["app/cli", "app/console"],
+    ["app/cli", "app/console", "app/python"],
     ["app/bench"],
 ]
 # Modules of the same rank that may look at a neighbour, one way.

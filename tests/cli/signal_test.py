@@ -3,6 +3,7 @@ import fcntl
 import os
 import pty
 import resource
+import shutil
 import signal
 import subprocess
 import termios
@@ -126,11 +127,11 @@ class Station(Case):
 
 @unittest.skipUnless(os.path.exists(CONSOLE), "built without the window")
 class Window(Case):
-    def start(self):
+    def start(self, display=None, stderr=subprocess.DEVNULL):
+        display = display or {"QT_QPA_PLATFORM": "offscreen"}
         home = {name: self.path("home") for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_RUNTIME_DIR")}
         os.makedirs(self.path("home"), 0o700, exist_ok=True)
-        return self.started(CONSOLE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                            env=os.environ | home | {"QT_QPA_PLATFORM": "offscreen"})
+        return self.started(CONSOLE, stdout=subprocess.DEVNULL, stderr=stderr, env=os.environ | home | display)
 
     def test_each_signal_closes_the_recording(self):
         for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT):
@@ -149,6 +150,26 @@ class Window(Case):
         os.kill(process.pid, signal.SIGCONT)
         self.assertIn(self.ended(process), (128 + signal.SIGTERM, 128 + signal.SIGHUP))
         self.expect_whole()
+
+
+    @unittest.skipUnless(shutil.which("Xvfb"), "there is no Xvfb to kill")
+    def test_the_display_dies(self):
+        read_end, write_end = os.pipe()
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x800x24"],
+                                  pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.kill)
+        os.close(write_end)
+        with open(read_end, encoding="ascii") as told:
+            display = told.readline().strip()
+        said = open(self.path("said"), "w+", encoding="utf-8")
+        self.addCleanup(said.close)
+        process = self.start({"QT_QPA_PLATFORM": "xcb", "DISPLAY": f":{display}"}, stderr=said)
+        server.kill()
+        self.assertEqual(self.ended(process), 3)
+        self.expect_whole()
+        said.seek(0)
+        self.assertIn("the display is gone", said.read())
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 #include "tests/widgets/calibrating.h"
 #include "tests/widgets/simulated_touchpad.h"
 #include "tests/widgets/suite.h"
+#include "widgets/basics/number_text.h"
 
 namespace fyd::tests {
 
@@ -106,7 +107,7 @@ class CalibrateMotionTest : public QObject {
     const widgets::FitView& plot = c.page->fitPanel()->plot()->fit();
     QCOMPARE(plot.bars.size(), std::size_t{3});
     QVERIFY(!plot.curve.empty() && !plot.former_curve.empty());
-    QVERIFY2(c.page->fitPanel()->figures().contains(QLatin1String("of at most 0.300 N")),
+    QVERIFY2(c.page->fitPanel()->figures().contains(QLatin1String("of at most 0.3 N")),
              qPrintable(c.page->fitPanel()->figures()));
     QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("valid from 20.0 to 90.0 deg")));
     c.click(c.page->acceptButton());
@@ -269,7 +270,15 @@ class CalibrateMotionTest : public QObject {
       c.click(c.page->simulateButton());
       QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("hysteresis")));
       QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("drift")));
+      const QTableWidget* fitted = c.page->fitPanel()->coefficients();
+      const QString shown = fitted->item(0, 2)->text();
       c.click(c.page->acceptButton());
+      // As the record keeps it.
+      const calibration::Coefficient kept = station::loadCalibrationRecords(c.profilePath())->back().coefficients.at(0);
+      QVERIFY(kept.standard_error > 0.0);
+      QCOMPARE(shown, QStringLiteral("± ") + widgets::quantityText(kept.standard_error,
+                                                                   widgets::decimalsOfUncertainty(kept.standard_error),
+                                                                   QStringLiteral("N/(mV/V)")));
     }
     c.click(c.page->reportButton());
     const QStringList made = QDir(c.folder.path()).entryList({QStringLiteral("profile.load-cell.*.pdf")});

@@ -71,9 +71,17 @@ class CalibrateTest : public QObject {
     QCOMPARE(c.page->fitPanel()->plot()->fit().points.size(), std::size_t{4});
     QCOMPARE(c.page->fitPanel()->plot()->fit().residuals.size(), std::size_t{4});
     QVERIFY(!c.page->fitPanel()->plot()->fit().former_curve.empty());
-    QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("of at most 0.100 N")));
+    QVERIFY(c.page->fitPanel()->figures().contains(QLatin1String("of at most 0.1 N")));
+    // The same figure in the verdict and beside it.
+    const QString held_out = c.page->fitPanel()->figures().section(QStringLiteral(" of at most"), 0, 0).toLower();
+    QVERIFY2(held_out.startsWith(QStringLiteral("held-out error 0")) &&
+                 c.page->fitPanel()->verdict().contains(held_out.chopped(2) + QStringLiteral(" N of at most 0.1 N")),
+             qPrintable(held_out + QStringLiteral(" | ") + c.page->fitPanel()->verdict()));
     QCOMPARE(c.page->fitPanel()->changes()->item(0, 0)->text(), QStringLiteral("force_slope_g, g/(mV/V)"));
     QCOMPARE(c.page->fitPanel()->changes()->item(0, 1)->text(), QStringLiteral("1004.9"));
+    const QTableWidget* fitted = c.page->fitPanel()->coefficients();
+    QCOMPARE(fitted->rowCount(), 2);
+    QCOMPARE(fitted->item(0, 0)->text(), QStringLiteral("slope, N/(mV/V)"));
     c.page->choose(QStringLiteral("ir-1"));  // points of a part that is not shown are not forgotten at the exit
     QCOMPARE(c.page->unfinished(), QStringLiteral("calibration points not accepted: Load cell 4"));
     c.page->choose(QStringLiteral("load-cell"));

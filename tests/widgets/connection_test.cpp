@@ -209,6 +209,31 @@ class ConnectionTest : public QObject {
     QVERIFY(form->connectButton()->hasFocus());
   }
 
+  void connectStaysWhereItIsWhateverIsChosenOrSaidAboveIt() {
+    Fixture f;
+    f.window->resize(1280, 720);
+    f.window->frame()->go(QStringLiteral("devices"));
+    say(f, SafetyState::ready);
+    widgets::ConnectionForm* form = devicesOf(f)->form();
+    const auto place = [&] {
+      passTimers(50);
+      return QRect(form->connectButton()->mapTo(f.window.get(), QPoint(0, 0)), form->connectButton()->size());
+    };
+    const QRect before = place();
+    QVERIFY(before.isValid() && f.window->rect().contains(before));
+    form->touchpad()->kind()->setCurrentIndex(1);  // a field for the address
+    QCOMPARE(place(), before);
+    form->touchpad()->entry()->setEditText(QStringLiteral("10.0.0.7:502"));
+    form->touchpad()->setProblem(QStringLiteral("It does not answer: check power and cable. ").repeated(3));
+    QCOMPARE(place(), before);
+    form->touchpad()->entry()->setEditText(QStringLiteral("10.0.0.8:502"));  // the words go
+    QCOMPARE(place(), before);
+    form->setWork(QStringLiteral("Asking. ").repeated(30), true);
+    QCOMPARE(place(), before);
+    form->setWork({}, false);
+    QCOMPARE(place(), before);
+  }
+
   void theFirstStartMakesTheFolderOfTheProfileSoThatASecondWindowIsTold() {
     const QTemporaryDir folder;
     const QString profile = folder.filePath(QStringLiteral("new/profile.toml"));

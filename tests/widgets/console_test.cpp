@@ -134,6 +134,39 @@ class ConsoleTest : public QObject {
     QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("refused by the script")));
   }
 
+  void whatIsSaidOfARefusedEntryGoesWithTheNextGoodOne() {
+    Fixture f;
+    for (const char* place : {"operate", "tune"}) {
+      f.window->frame()->go(QLatin1String(place));
+      const auto* page = f.window->frame()->page(QLatin1String(place));
+      auto* field = page->findChild<QLineEdit*>(QStringLiteral("control.kp_field"));
+      const auto enter = [&](const char* text) {
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(text));
+        QTest::keyClick(field, Qt::Key_Return);
+      };
+      enter("nonsense");
+      QCOMPARE(f.window->notices()->count(), 1);
+      QVERIFY(f.window->notices()->shownText().contains(QStringLiteral("nonsense")));
+      enter("rubbish");  // in the place of the former one
+      QCOMPARE(f.window->notices()->count(), 1);
+      QVERIFY(f.window->notices()->shownText().contains(QStringLiteral("rubbish")));
+      enter("0.2");
+      QVERIFY2(f.window->notices()->count() == 0, qPrintable(f.window->notices()->shownText()));
+      enter("nonsense");
+      enter("0.2");  // the value that it has
+      QCOMPARE(f.window->notices()->count(), 0);
+    }
+    // So does a refusal by the session.
+    f.session->refuses = true;
+    f.row("texture.k_vib")->slider()->setValue(200);
+    QCOMPARE(f.window->notices()->count(), 1);
+    f.session->refuses = false;
+    f.row("texture.k_vib")->slider()->setValue(220);
+    QCOMPARE(f.window->notices()->count(), 0);
+  }
+
   void theRobotsChangeIsShownAndAnEchoDoesNotPullTheSliderBack() {
     Fixture f;
     const auto index = static_cast<std::uint16_t>(indexOf(f.session->profile, "texture.k_vib"));

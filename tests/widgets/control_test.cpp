@@ -211,7 +211,7 @@ class ControlTest : public QObject {
     };
     const QString silent = widgets::asSentence(toString(Fault::motors_stale));
     const QString cable = QStringLiteral("Check the network cable to 10.0.0.7:502.");
-    QVERIFY(held(Fault::motors_stale, {silent, cable}).startsWith(cable));
+    QVERIFY(held(Fault::motors_stale, {silent, cable, Fault::motors_stale}).startsWith(cable));
     QCOMPARE(held(Fault::motors_stale, {}), QStringLiteral("Since then it is back. Hold Re-arm to start again."));
     const QString other = held(Fault::motors_stale, {QStringLiteral("The camera sends no pictures"), cable});
     QVERIFY2(other.contains(QStringLiteral("camera sends no pictures.")) && other.contains(cable), qPrintable(other));
@@ -230,8 +230,8 @@ class ControlTest : public QObject {
     QVERIFY2(said().contains(QStringLiteral("This computer was late: 9.1 %")), qPrintable(said()));
     QVERIFY2(!said().contains(QStringLiteral("cable")), qPrintable(said()));
     // What is missing even now still has its cable.
-    bar.showMissing(
-        {widgets::asSentence(toString(Fault::camera_stale)), QStringLiteral("Check the cable of the camera.")});
+    bar.showMissing({widgets::asSentence(toString(Fault::camera_stale)),
+                     QStringLiteral("Check the cable of the camera."), Fault::camera_stale});
     QVERIFY2(said().contains(QStringLiteral("Check the cable of the camera.")), qPrintable(said()));
     bar.showState(SafetyState::active, Fault::none);
     bar.showState(SafetyState::held, Fault::camera_stale);

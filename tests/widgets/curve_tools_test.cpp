@@ -20,6 +20,7 @@
 #include "widgets/basics/plot_labels.h"
 #include "widgets/curves/curve_catalogue.h"
 #include "widgets/curves/curve_picture.h"
+#include "widgets/curves/session_overview.h"
 
 namespace fyd::tests {
 namespace {
@@ -330,6 +331,29 @@ class CurveToolsTest : public QObject {
     f.window->frame()->go(QStringLiteral("calibrate"));
     f.window->frame()->go(QStringLiteral("operate"));
     QCOMPARE(limits("stiffness"), (std::vector{0.501, 0.673}));
+  }
+
+  void aDragOverTheOverviewShowsThatTimeWhicheverWayItGoes() {
+    widgets::SessionOverview overview;
+    overview.resize(600, 72);
+    overview.setDuration(60.0);
+    std::vector<std::pair<double, double>> asked;
+    connect(&overview, &widgets::SessionOverview::windowAsked, &overview,
+            [&](double from_s, double to_s) { asked.emplace_back(from_s, to_s); });
+    const auto drag = [&](double from_s, double to_s) {
+      const auto at = [&](double time_s) { return QPoint(static_cast<int>(std::lround(overview.xOf(time_s))), 30); };
+      QTest::mousePress(&overview, Qt::RightButton, {}, at(from_s));
+      QTest::mouseMove(&overview, at(0.5 * (from_s + to_s)));
+      QTest::mouseRelease(&overview, Qt::RightButton, {}, at(to_s));
+    };
+    drag(10.0, 40.0);
+    drag(40.0, 10.0);
+    drag(20.0, 20.0);  // a click asks for nothing
+    QCOMPARE(asked.size(), 2U);
+    for (const auto& [from_s, to_s] : asked) {
+      QVERIFY2(std::abs(from_s - 10.0) < 0.2, qPrintable(QString::number(from_s)));
+      QVERIFY2(std::abs(to_s - 40.0) < 0.2, qPrintable(QString::number(to_s)));
+    }
   }
 
   void timeIsUnlinkedAndLinkedAgain() {

@@ -6,6 +6,7 @@
 #include "tests/widgets/device_reports.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
+#include "widgets/tuning/tuning_text.h"
 
 namespace fyd::tests {
 
@@ -91,8 +92,12 @@ class FrameTest : public QObject {
     QCOMPARE(look.choice(), before);
     become(SafetyState::active);
     QCOMPARE(look.choice(), before);
+    become(SafetyState::held);  // its drives stay enabled
+    QTest::qWait(500);
+    QCOMPARE(look.choice(), before);
     become(SafetyState::stopped);
-    QCOMPARE(look.choice(), chosen);
+    QCOMPARE(look.choice(), before);  // first the state is seen
+    WAIT_FOR(look.choice() == chosen);
     f.window->commands().action(QStringLiteral("view.theme_") + widgets::themeWord(before))->trigger();
     QCOMPARE(look.choice(), before);  // nothing renders: at once
   }
@@ -111,14 +116,79 @@ class FrameTest : public QObject {
     }
   }
 
-  void aLargerWindowGivesTheCameraItsShare() {
+  void thePanelsShareFollowsTheWindowInBothDirections() {
     Fixture f;
     const QWidget* picture = f.window->operate()->camera()->image();
+    auto* area = f.window->operate()->findChild<QMainWindow*>();
+    auto* camera = area->findChild<QDockWidget*>(QStringLiteral("camera"));
     f.window->resize(1280, 720);
     QTest::qWait(200);
+    const int before = camera->width();
     QVERIFY(picture->width() < 300);
     f.window->resize(3840, 2160);
     WAIT_FOR(picture->width() > 0.12 * 3840);
+    // Not quite its share, as when its contents needed more for a while.
+    area->resizeDocks({camera}, {camera->width() + 30}, Qt::Horizontal);
+    QTest::qWait(100);
+    f.window->resize(1280, 720);
+    WAIT_EQUAL(camera->width(), before);
+    for (const int width : {2000, 1700, 1500, 1280}) {  // by steps
+      f.window->resize(width, 720);
+      QTest::qWait(20);
+    }
+    WAIT_EQUAL(camera->width(), before);
+  }
+
+  void besideAPanelTheTuningIsWholeAndTheFieldForATimeComesWhenAskedFor() {
+    Fixture f;
+    f.window->resize(1280, 720);
+    for (const char* panel : {"link", "recording"}) {
+      f.window->openPanels({QLatin1String(panel)});
+      QTest::qWait(200);
+      const QWidget* tuning = f.window->operate()->tuning();
+      const int right = tuning->mapTo(f.window->frame(), QPoint(tuning->width(), 0)).x();
+      const QWidget* shown = f.window->frame()->panelArea()->findChild<QDockWidget*>(QLatin1String(panel));
+      QVERIFY2(right <= shown->mapTo(f.window->frame(), QPoint(0, 0)).x(),
+               qPrintable(QStringLiteral("%1: to %2").arg(QLatin1String(panel)).arg(right)));
+    }
+    widgets::TimeField* field = f.window->operate()->curves()->timeField();
+    QVERIFY(!field->isVisible());
+    f.window->commands().action(QStringLiteral("curves.go_to"))->trigger();
+    QVERIFY(field->isVisible() && field->hasFocus());
+    f.window->operate()->curves()->setFocus();
+    QVERIFY(!field->isVisible());
+    for (auto* panel : f.window->frame()->panelArea()->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
+      panel->hide();
+    }
+    WAIT_FOR(field->isVisible());
+  }
+
+  void aWidthDrawnByHandIsLeftAlone() {
+    Fixture f;
+    auto* area = f.window->operate()->findChild<QMainWindow*>();
+    auto* camera = area->findChild<QDockWidget*>(QStringLiteral("camera"));
+    f.window->resize(1600, 1000);
+    QTest::qWait(200);
+    const int before = camera->width();
+    const auto drag = [&](int by_px) {
+      const QPoint edge(camera->geometry().right() + 2, camera->geometry().center().y());
+      QTest::mousePress(area, Qt::LeftButton, {}, edge);
+      QTest::mouseMove(area, edge + QPoint(by_px, 0));
+      QTest::qWait(20);
+      QTest::mouseRelease(area, Qt::LeftButton, {}, edge + QPoint(by_px, 0));
+      QTest::qWait(200);
+    };
+    drag(70);
+    const int drawn = camera->width();
+    QVERIFY2(drawn > before + 40, qPrintable(QString::number(drawn)));
+    for (const QSize size : {QSize(2400, 1200), QSize(1600, 1000)}) {
+      f.window->resize(size);
+      QTest::qWait(300);
+      QCOMPARE(camera->width(), drawn);
+    }
+    drag(before - drawn);  // back to its share: it follows again
+    f.window->resize(3000, 1600);
+    WAIT_FOR(camera->width() > drawn);
   }
 
   void theFirstFocusIsNoButtonThatRecords() {
@@ -224,6 +294,26 @@ class FrameTest : public QObject {
     quit->trigger();
     QVERIFY(!f.window->isVisible());
     QVERIFY(f.session->stops > 0);
+  }
+
+  void quittingNamesWhatIsChangedAndNotSavedAndTheQuestionGoesWithIt() {
+    Fixture f;
+    f.row("control.kp")->slider()->setValue(60);
+    f.row("texture.k_vib")->slider()->setValue(200);
+    QAction* quit = f.window->commands().action(QStringLiteral("session.quit"));
+    quit->trigger();
+    QVERIFY(f.window->isVisible());
+    const QString asked = f.window->notices()->shownText();
+    for (const char* id : {"control.kp", "texture.k_vib"}) {
+      station::Profile profile;
+      const auto bound = bindParameters(profile);
+      QVERIFY2(asked.contains(widgets::tunedName(*findParameter(bound, id))), qPrintable(asked));
+    }
+    f.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
+    f.window->feed().pump();
+    QVERIFY(!f.window->notices()->shows(QStringLiteral("leaving")));
+    quit->trigger();
+    QVERIFY(!f.window->isVisible());
   }
 
   void quittingAsksNothingWhereNothingIsUnderWay() {

@@ -225,8 +225,40 @@ class LinkTest : public QObject {
     views[1].figures = QStringLiteral("1 Hz");
     parts.setParts(views);
     QCOMPARE(parts.place(QStringLiteral("Second")), wide);
+    // Too little for all: the short ones keep what they need, and the long one has the rest.
+    const int first = parts.place(QStringLiteral("First")).width();
+    parts.resize(needed + 100, 24);
+    QVERIFY(parts.place(QStringLiteral("Third")).right() <= parts.width());
+    QVERIFY2(parts.place(QStringLiteral("Second")).width() > parts.width() / 2,
+             qPrintable(QString::number(parts.place(QStringLiteral("Second")).width())));
+    QVERIFY(parts.place(QStringLiteral("First")).width() <= first);
     parts.resize(100, 24);  // too little for any: alike
     QCOMPARE(parts.place(QStringLiteral("First")).width(), parts.place(QStringLiteral("Third")).width());
+  }
+
+  void inANarrowBarAWordIsReadToItsEndAndFiguresAreLeftToTheToolTip() {
+    widgets::PartList parts;
+    const widgets::PartView pad{.name = QStringLiteral("Touchpad"),
+                                .figures = QStringLiteral("1000 Hz · 12 ms"),
+                                .health = widgets::PartView::Health::well};
+    const widgets::PartView link{.name = QStringLiteral("Liaison"),
+                                 .figures = QStringLiteral("classique, non sécurisée"),
+                                 .health = widgets::PartView::Health::well};
+    parts.setParts({pad, link});
+    parts.resize(2000, 24);
+    QCOMPARE(parts.shownFigures(pad), pad.figures);
+    const QFontMetrics small(widgets::textFont(widgets::TextSize::small));
+    const int both = parts.place(pad.name).width() + parts.place(link.name).width();
+    int whole = 2000;  // the least width that shows all
+    while (parts.shownFigures(pad) == pad.figures) parts.resize(--whole, 24);
+    QVERIFY(whole < both);
+    QCOMPARE(parts.shownFigures(pad), QStringLiteral("1000 Hz"));
+    QVERIFY(parts.place(link.name).width() > small.horizontalAdvance(link.figures));
+    QVERIFY(parts.place(link.name).right() <= parts.width());
+    QVERIFY(parts.accessibleDescription().contains(pad.figures));
+    widgets::PartView silent = pad;
+    silent.health = widgets::PartView::Health::missing;
+    QCOMPARE(parts.shownFigures(silent), pad.figures);  // what is wrong is said in full
   }
 
   void withThePanelOpenTheWindowStillFitsItsUsualSize() {

@@ -52,6 +52,20 @@ class RecordingTest : public QObject {
     clipboard->clear();
   }
 
+  void initialsAndEnterAfterTheKeyRecord() {
+    Fixture f;
+    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    widgets::RecordingForm* form = f.window->recording()->form();
+    write(form->fileField(), f.folder.filePath(QStringLiteral("two.h5")));
+    f.window->recording()->dock()->hide();
+    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    QVERIFY(form->operatorField()->hasFocus());
+    QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("mm"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QCOMPARE(f.session->recordings.size(), std::size_t{1});
+    QCOMPARE(f.session->recordings[0].operator_name, std::string("mm"));
+  }
+
   void fromTheKeyToAClosedFile() {
     RecordingFixture f;
     QVERIFY(f.window->recording()->dock()->isVisible());
@@ -87,6 +101,25 @@ class RecordingTest : public QObject {
     QVERIFY(f.told().contains(QStringLiteral("one.h5")));
     QCOMPARE(f.button(), QStringLiteral("Record"));
     QVERIFY(f.form->fileField()->text() != QString::fromStdString(asked.path));
+  }
+
+  void whatIsSaidOfARecordingGoesWhenItIsClosed() {
+    RecordingFixture f;
+    const auto said = [&] {
+      QStringList out;
+      for (int i = 0; i < f.window->notices()->count(); ++i) out << f.window->notices()->text(i);
+      return out;
+    };
+    QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
+    QVERIFY(said().join(QLatin1Char('|')).contains(QStringLiteral("nothing is being recorded")));
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    QCOMPARE(said().size(), 1);  // something is, now
+    QVERIFY2(said()[0].startsWith(QStringLiteral("Recording into ")), qPrintable(said()[0]));
+    QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
+    QCOMPARE(said().size(), 2);
+    QTest::mouseClick(f.form->stopButton(), Qt::LeftButton);
+    QVERIFY2(said().size() == 1 && said()[0].startsWith(QStringLiteral("Recording closed: ")),
+             qPrintable(said().join(QLatin1Char('|'))));
   }
 
   void entriesThatCannotBeTakenAreMarkedAndSaidInWords() {

@@ -309,6 +309,27 @@ class TuneTest : public QObject {
     QCOMPARE(f.page->response()->figure(TuningResponse::proposed, 0), QStringLiteral("—"));
   }
 
+  void whatIsSaidOfTheMotorsFollowsThemWhileThePlaceIsOpen() {
+    TuneFixture f;  // before the first answer, as a window that was closed here begins
+    const QString none = QStringLiteral("The motors have not answered yet");
+    QVERIFY2(f.page->response()->ground().contains(none), qPrintable(f.page->response()->ground()));
+    const auto hear = [&](double age_ms, int samples = 1) {
+      for (int i = 0; i < samples; ++i) {
+        f.session->say(pipeline::SafetyState::ready);
+        f.session->telemetry.back().motors_age_ms = age_ms;
+      }
+      f.window->feed().pump();
+    };
+    hear(3.5);
+    WAIT_FOR(!f.page->response()->ground().contains(none));
+    QVERIFY2(f.page->response()->ground().contains(QStringLiteral("3.5 ms old")),
+             qPrintable(f.page->response()->ground()));
+    hear(5.5, 4000);
+    WAIT_FOR(f.page->response()->ground().contains(QStringLiteral("5.")));
+    f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});  // of another it is not known yet
+    WAIT_FOR(f.page->response()->ground().contains(none));
+  }
+
   void whatTheLoopsModelCallsUnstableIsAskedFirst() {
     TuneFixture f;
     // The touchpad's motors have not answered: only what no touchpad bears is asked about.
@@ -489,6 +510,30 @@ class TuneTest : public QObject {
     QCOMPARE(said(5), QStringLiteral("cannot be read back"));
     f.answer("control.kp", 0.3);
     WAIT_EQUAL(said(0), QStringLiteral("confirmed"));
+  }
+
+  void aTouchpadThatAnotherProgramHasIsNotBlamedOnItsCable() {
+    Fixture f;
+    const auto told = [&](bool in_use) {
+      f.session->present.touchpad = "modbus-tcp:10.0.0.7:502";
+      f.session->reports = {{.part = device::Part::touchpad, .in_use = in_use}};
+      f.session->lines = {{.what = say("Motors answer"),
+                           .ok = false,
+                           .why = phrase(toString(pipeline::Fault::motors_stale)),
+                           .remedy = say("Check the touchpad's power and its cable."),
+                           .fault = pipeline::Fault::motors_stale}};
+      f.session->say(pipeline::SafetyState::disconnected);
+      f.session->telemetry.back().fault = pipeline::Fault::motors_stale;
+      f.window->feed().pump();
+      return f.window->stateBar()->stateReason();
+    };
+    const QString taken = told(true);
+    QVERIFY2(taken.startsWith(QStringLiteral("Another program drives the touchpad. Close what has it at 10.0.0.7:502")),
+             qPrintable(taken));
+    QVERIFY2(!taken.contains(QStringLiteral("cable")) && !taken.contains(QStringLiteral("silent")), qPrintable(taken));
+    const QString silent = told(false);
+    QVERIFY2(silent.contains(QStringLiteral("silent")) && silent.contains(QStringLiteral("network cable to 10.0.0.7")),
+             qPrintable(silent));
   }
 
   void readinessSaysWhyAndHowAndLeadsToWhereItIsMended() {

@@ -12,7 +12,10 @@ namespace fyd::widgets {
 
 class HeadingTable : public QTableWidget {
  public:
-  using QTableWidget::QTableWidget;
+  explicit HeadingTable(QWidget* parent) : HeadingTable(0, 0, parent) {}
+  HeadingTable(int rows, int columns, QWidget* parent) : QTableWidget(rows, columns, parent) {
+    setTabKeyNavigation(false);  // Tab leaves it; the arrow keys go through its cells
+  }
 
   /// Width that needs no horizontal scrolling, px.
   [[nodiscard]] int wholeWidth() const {

@@ -36,6 +36,7 @@ class SvgEngine : public QIconEngine {
     paintIcon(*painter, rect, name_, colour);
   }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    if (size.isEmpty()) return {};  // a style asks for it where there is no room
     QPixmap out(size);
     out.fill(Qt::transparent);
     QPainter painter(&out);

@@ -1,6 +1,7 @@
 #include "widgets/basics/number_text.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,12 @@ QString numberText(double value, int decimals) {
 QString quantityText(double value, int decimals, const QString& unit) {
   const QString text = numberText(value, decimals);
   return text == kNoValue || unit.isEmpty() ? text : text + QLatin1Char(' ') + unit;
+}
+
+int decimalsOfUncertainty(double uncertainty) {
+  constexpr double kMost = 9.0;
+  if (!std::isfinite(uncertainty) || uncertainty <= 0.0) return 0;
+  return static_cast<int>(std::clamp(1.0 - std::floor(std::log10(uncertainty)), 0.0, kMost));
 }
 
 QString rowText(const QStringList& numbers) {

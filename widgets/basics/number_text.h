@@ -12,6 +12,8 @@ inline const QString kNoValue = QStringLiteral("—");
 [[nodiscard]] QString numberText(double value, int decimals);
 /// numberText and the unit after a space; the unit is left off with the value.
 [[nodiscard]] QString quantityText(double value, int decimals, const QString& unit);
+/// Decimals that show two digits of a standard uncertainty, in it and in its value.
+[[nodiscard]] int decimalsOfUncertainty(double uncertainty);
 /// Numbers in a row: a semicolon between them where a comma is their decimal sign.
 [[nodiscard]] QString rowText(const QStringList& numbers);
 /// An age: "4 ms", "1.2 s", "3 min"; "—" for NaN.

@@ -177,7 +177,7 @@ void SessionOverview::mouseMoveEvent(QMouseEvent* event) {
 
 void SessionOverview::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::RightButton || !box_from_s_) return;
-  const auto [from_s, to_s] = std::minmax(*box_from_s_, timeAt(event->position().x()));
+  const auto [from_s, to_s] = std::minmax({*box_from_s_, timeAt(event->position().x())});
   box_from_s_.reset();
   update();
   if (to_s > from_s) emit windowAsked(from_s, to_s);

@@ -60,4 +60,17 @@ QString cableRemedy(pipeline::Fault fault, const station::SourceParameters& word
   }
 }
 
+device::Part silentPart(pipeline::Fault fault, const station::SourceParameters& words) {
+  const bool board = fault == pipeline::Fault::motors_stale && !words.motors.empty();
+  return board ? device::Part::motor_board : device::Part::touchpad;
+}
+
+InUseText inUseText(pipeline::Fault fault, const station::SourceParameters& words) {
+  const bool board = silentPart(fault, words) == device::Part::motor_board;
+  const std::string& source = board ? words.motors : words.touchpad;
+  const QString at = QString::fromStdString(source.substr(source.find(':') + 1));
+  return {.why = board ? tr("Another program has the motor board") : tr("Another program drives the touchpad"),
+          .remedy = tr("Close what has it at %1, such as another console; this one then takes it by itself.").arg(at)};
+}
+
 }  // namespace fyd::widgets

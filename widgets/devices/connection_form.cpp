@@ -108,10 +108,11 @@ ConnectionForm::ConnectionForm(QWidget* parent)
       touchpad_(new PartChoice(tr("Touchpad"), QStringLiteral("touchpad"), touchpadKinds(), this)),
       motors_(new PartChoice(tr("Motors"), QStringLiteral("motors"), motorKinds(), this)),
       camera_(new PartChoice(tr("Camera"), QStringLiteral("camera"), cameraKinds(), this)),
-      robot_(new QPushButton(tr("Robot…"), this)),
-      hint_(new QLabel(this)),
-      connect_(new QPushButton(tr("Connect"), this)) {
-  setProperty("surface", "panel");
+      foot_(new QFrame(this)),
+      robot_(new QPushButton(tr("Robot…"), foot_)),
+      hint_(new QLabel(foot_)),
+      connect_(new QPushButton(tr("Connect"), foot_)) {
+  for (QFrame* each : {static_cast<QFrame*>(this), foot_}) each->setProperty("surface", "panel");
   setAccessibleName(tr("Connect devices"));
   auto* title = new QLabel(tr("Connect"), this);
   title->setFont(textFont(TextSize::normal, true));
@@ -127,9 +128,14 @@ ConnectionForm::ConnectionForm(QWidget* parent)
   layout->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
   layout->setSpacing(kGrid);
   for (QWidget* each : {static_cast<QWidget*>(title), static_cast<QWidget*>(touchpad_), static_cast<QWidget*>(motors_),
-                        static_cast<QWidget*>(camera_), static_cast<QWidget*>(hint_), static_cast<QWidget*>(connect_),
-                        static_cast<QWidget*>(robot_)}) {
+                        static_cast<QWidget*>(camera_)}) {
     layout->addWidget(each);
+  }
+  auto* lines = new QVBoxLayout(foot_);
+  lines->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
+  lines->setSpacing(kGrid);
+  for (QWidget* each : {static_cast<QWidget*>(hint_), static_cast<QWidget*>(robot_), static_cast<QWidget*>(connect_)}) {
+    lines->addWidget(each);
   }
   connect(touchpad_, &PartChoice::changed, this, &ConnectionForm::touchpadChanged);
   connect(motors_, &PartChoice::changed, this, &ConnectionForm::refresh);

@@ -36,6 +36,8 @@ class ConnectionForm : public QFrame {
   /// A touchpad of one's own is what is wanted: the form asks for its address.
   void askForOwn();
 
+  /// Hint and buttons, to be placed where nothing moves them: the form above changes its height with what is chosen.
+  [[nodiscard]] QWidget* foot() const { return foot_; }
   [[nodiscard]] PartChoice* touchpad() const { return touchpad_; }
   [[nodiscard]] PartChoice* motors() const { return motors_; }
   [[nodiscard]] PartChoice* camera() const { return camera_; }
@@ -60,6 +62,7 @@ class ConnectionForm : public QFrame {
   PartChoice* touchpad_;
   PartChoice* motors_;
   PartChoice* camera_;
+  QFrame* foot_;
   QPushButton* robot_;
   QLabel* hint_;
   QPushButton* connect_;

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <algorithm>
 #include <numeric>
 
 #include "widgets/basics/icon.h"
@@ -22,6 +23,10 @@ QColor healthColour(PartView::Health health) {
     case PartView::Health::missing: return theme().warning;
   }
   return theme().muted;
+}
+
+QString briefFigures(const PartView& part) {
+  return part.health == PartView::Health::well ? part.figures.section(QStringLiteral(" · "), 0, 0) : part.figures;
 }
 
 /// Where its figures begin, from its left edge.
@@ -43,33 +48,51 @@ QSize PartList::sizeHint() const { return {300, QFontMetrics(textFont(TextSize::
 void PartList::setParts(const std::vector<PartView>& parts) {
   if (parts == parts_) return;
   parts_ = parts;
-  needs_.resize(parts_.size());
+  for (std::vector<int>* needs : {&needs_, &brief_needs_}) needs->resize(parts_.size());
   QStringList words;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const PartView& part = parts_[i];
     words << part.name + QLatin1Char(' ') + part.figures;
-    needs_[i] =
-        std::max(needs_[i], figuresLeft(part) +
-                                QFontMetrics(textFont(TextSize::small)).horizontalAdvance(part.figures) + 2 * kGrid);
+    const auto need = [&](const QString& figures) {
+      return figuresLeft(part) + QFontMetrics(textFont(TextSize::small)).horizontalAdvance(figures) + 2 * kGrid;
+    };
+    needs_[i] = std::max(needs_[i], need(part.figures));
+    brief_needs_[i] = std::max(brief_needs_[i], need(briefFigures(part)));
   }
   setAccessibleDescription(words.join(QStringLiteral("; ")));
   update();
 }
 
+bool PartList::brief() const { return std::accumulate(needs_.begin(), needs_.end(), 0) > width(); }
+
+QString PartList::shownFigures(const PartView& part) const { return brief() ? briefFigures(part) : part.figures; }
+
 std::vector<QRect> PartList::places() const {
   // The largest width each has needed plus an equal share of the rest, so that none moves when a figure changes its
-  // width. Equal columns where there is too little room.
+  // width. Where there is too little room, the short ones have what they need and the long ones share what is left.
   const int count = std::max(1, static_cast<int>(parts_.size()));
-  std::vector<int> columns(static_cast<std::size_t>(count), width() / count);
-  const int needed = std::accumulate(needs_.begin(), needs_.end(), 0);
+  const std::vector<int>& needs = brief() ? brief_needs_ : needs_;
+  const int needed = std::accumulate(needs.begin(), needs.end(), 0);
+  std::vector<int> columns = needs;
   if (needed <= width()) {
-    for (std::size_t i = 0; i < needs_.size(); ++i) columns[i] = needs_[i] + (width() - needed) / count;
+    for (int& column : columns) column += (width() - needed) / count;
+  } else {
+    std::vector<int> rising = needs;
+    std::ranges::sort(rising);
+    int left = width();
+    int longest = 0;
+    for (std::size_t i = 0; i < rising.size(); ++i) {
+      longest = left / static_cast<int>(rising.size() - i);
+      if (rising[i] > longest) break;
+      left -= rising[i];
+    }
+    for (int& column : columns) column = std::min(column, longest);
   }
   std::vector<QRect> out;
-  int left = 0;
+  int edge = 0;
   for (const int column : columns) {
-    out.emplace_back(left, 0, column - kGrid, height());
-    left += column;
+    out.emplace_back(edge, 0, column - kGrid, height());
+    edge += column;
   }
   return out;
 }
@@ -97,7 +120,7 @@ void PartList::paintEvent(QPaintEvent*) {
     painter.setPen(well ? theme().muted : colour);
     const int room = rect.right() - x;
     painter.drawText(QRect(x, rect.top(), room, rect.height()), Qt::AlignVCenter,
-                     QFontMetrics(painter.font()).elidedText(part.figures, Qt::ElideRight, room));
+                     QFontMetrics(painter.font()).elidedText(shownFigures(part), Qt::ElideRight, room));
   }
 }
 

@@ -29,6 +29,8 @@ class PartList : public QWidget {
   [[nodiscard]] QSize sizeHint() const override;
   /// Where a part is drawn; empty when there is none of that name.
   [[nodiscard]] QRect place(const QString& name) const;
+  /// Where not all fits, a part that is well shows the first of its figures; the others stand in its tool tip.
+  [[nodiscard]] QString shownFigures(const PartView& part) const;
 
  signals:
   void opened(const QString& name);  ///< a part that opens was clicked
@@ -44,8 +46,10 @@ class PartList : public QWidget {
   [[nodiscard]] std::vector<QRect> places() const;
   [[nodiscard]] int openingPartAt(const QPoint& where) const;  ///< -1: none
   void hover(int part);
+  [[nodiscard]] bool brief() const;
   std::vector<PartView> parts_;
-  std::vector<int> needs_;  ///< largest width of each so far, px
+  std::vector<int> needs_;        ///< largest width of each so far, px
+  std::vector<int> brief_needs_;  ///< the same with the first figure alone
   int hovered_ = -1;
 };
 

@@ -8,13 +8,16 @@
 #include <QVBoxLayout>
 #include <vector>
 
+#include "core/pipeline/safety.h"
+
 namespace fyd::widgets {
 
 struct ReadinessRow {
   QString what;
   bool ok = false;
-  QString why = {};      ///< empty when ok
-  QString remedy = {};   ///< what to do, in words; empty when ok
+  QString why = {};     ///< empty when ok
+  QString remedy = {};  ///< what to do, in words; empty when ok
+  pipeline::Fault fault = pipeline::Fault::none;
   QString command = {};  ///< id of the window's command that helps; empty: none does
   QString action = {};   ///< its words, for the button
   friend bool operator==(const ReadinessRow&, const ReadinessRow&) = default;

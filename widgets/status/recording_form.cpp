@@ -170,7 +170,11 @@ void RecordingForm::setRecording(const RecordingView& view) {
   }
 }
 
-void RecordingForm::focusButton() { (start_->isHidden() ? stop_ : start_)->setFocus(Qt::ShortcutFocusReason); }
+void RecordingForm::focusNext() {
+  QWidget* next = start_->isHidden() ? stop_ : start_;
+  if (next == start_ && operator_->text().trimmed().isEmpty()) next = operator_;  // it would refuse without
+  next->setFocus(Qt::ShortcutFocusReason);
+}
 
 void RecordingForm::start() {
   const RecordingEntries wanted = entries();

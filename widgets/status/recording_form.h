@@ -27,8 +27,8 @@ class RecordingForm : public QFrame {
   void suggest();
   [[nodiscard]] bool fileIsSuggested() const { return !file_is_own_; }
   void setRecording(const RecordingView& view);
-  /// Gives the focus to the button that starts or ends the recording.
-  void focusButton();
+  /// Gives the focus to what comes next: the operator's field while it is empty, else the button that starts or ends.
+  void focusNext();
 
   [[nodiscard]] QLineEdit* operatorField() const { return operator_; }
   [[nodiscard]] QLineEdit* subjectField() const { return subject_; }

@@ -40,10 +40,13 @@ QString asSentence(std::string_view phrase) { return sentenceOf(coreText(phrase)
 
 StateWords describeState(SafetyState state, Fault fault, const std::optional<MissingNow>& now,
                          const QString& lateness) {
-  const QString reason = fault == Fault::none ? QString() : asSentence(toString(fault));
+  QString reason = fault == Fault::none ? QString() : asSentence(toString(fault));
   QString remedy = fault == Fault::none || !lateness.isEmpty() ? QString() : coreText(pipeline::remedy(fault));
-  // The readiness list names the very cable.
-  if (now && !now->remedy.isEmpty() && sentenceOf(now->why) == reason) remedy = now->remedy;
+  // The readiness list knows the very cable, and who has the device.
+  if (now && fault != Fault::none && now->fault == fault && !now->remedy.isEmpty()) {
+    reason = sentenceOf(now->why);
+    remedy = now->remedy;
+  }
   const QString word = coreText(toString(state));
   switch (state) {
     case SafetyState::disconnected:

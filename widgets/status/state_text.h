@@ -20,6 +20,7 @@ struct StateWords {
 struct MissingNow {
   QString why;     ///< "The robot is silent"; empty: nothing is missing
   QString remedy;  ///< "Check the network."
+  pipeline::Fault fault = pipeline::Fault::none;
   friend bool operator==(const MissingNow&, const MissingNow&) = default;
 };
 

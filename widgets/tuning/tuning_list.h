@@ -29,7 +29,7 @@ class TuningList : public QFrame {
   [[nodiscard]] int shownCount() const;
 
  signals:
-  void refused(const QString& why);
+  void refused(const QString& why, const QString& parameter);
   void entered();  ///< Enter ended an entry: the focus is free to go
 
  protected:

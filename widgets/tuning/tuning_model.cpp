@@ -105,11 +105,12 @@ Result<void> TuningModel::change(std::string_view id, double value, bool merge) 
   if (auto good = check(id, value); !good) return good;
   if (feeling_saved_) return fail("{}: saved values are felt now; go back to the current ones to change it", id);
   const TunedParameter& parameter = *find(id);
+  const QString name = fromView(id);
   if (value == parameter.value) {
     leaveAsItIs();
+    emit taken(name);
     return {};
   }
-  const QString name = fromView(id);
   const Setting next{.id = std::string(id), .value = value};
   propose({&next, 1}, {.id = name, .value = value, .apply = [this, name, next, merge] {
                          push(tr("%1 to %2").arg(name, plainNumber(next.value)), {&next, 1}, merge);
@@ -166,6 +167,7 @@ void TuningModel::store(const QString& id, double value, double was) {
   parameter->value = value;
   parameter->was = was;
   emit asked(id, value);
+  if (parameter->delivery != Delivery::refused) emit taken(id);
   emit changed(id);
 }
 

@@ -116,6 +116,8 @@ class TuningModel : public QObject {
  signals:
   /// The operator's change, also when undone or redone: to be applied.
   void asked(const QString& id, double value);
+  /// Its present value stands: what was said against an entry is out of date.
+  void taken(const QString& id);
   /// The parameter has to be shown anew.
   void changed(const QString& id);
   void feelingSavedChanged(bool saved);

@@ -49,7 +49,7 @@ class TuningPanel : public QFrame {
   void targetByHandAsked();
   void targetFromRobotAsked();
   void saveAsked();
-  void refused(const QString& why);
+  void refused(const QString& why, const QString& parameter);
   void entered();  ///< Enter ended an entry: the focus is free to go
 
  private:

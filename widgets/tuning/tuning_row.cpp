@@ -195,7 +195,7 @@ void TuningRow::buildChoice() {
   choice_->setFocusPolicy(Qt::StrongFocus);
   choice_->installEventFilter(this);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
-    if (const auto ok = model_.change(id_std_, index); !ok) emit refused(coreText(ok.error().message));
+    if (const auto ok = model_.change(id_std_, index); !ok) emit refused(coreText(ok.error().message), id_);
   });
 }
 
@@ -215,7 +215,7 @@ int TuningRow::toPosition(double value) const {
 
 void TuningRow::takeSlider(int position) {
   if (const auto ok = model_.change(id_std_, toValue(position), true); !ok) {
-    emit refused(coreText(ok.error().message));
+    emit refused(coreText(ok.error().message), id_);
   }
 }
 
@@ -241,7 +241,8 @@ void TuningRow::takeField() {
   markRefused(true);
   field_->selectAll();  // the next key writes another value
   emit refused(tr("%1: \"%2\" was not taken. Expected %3.")
-                   .arg(name_->text(), field_->text(), coreText(describeRange(parameter().info))));
+                   .arg(name_->text(), field_->text(), coreText(describeRange(parameter().info))),
+               id_);
 }
 
 void TuningRow::showQuestion() {

@@ -45,7 +45,7 @@ class TuningRow : public QWidget {
 
  signals:
   /// An entry was refused; the sentence says what is allowed.
-  void refused(const QString& why);
+  void refused(const QString& why, const QString& parameter);
   /// Enter ended an entry here: the focus is free to go.
   void entered();
 

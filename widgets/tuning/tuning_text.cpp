@@ -42,6 +42,7 @@ QString unitText(const Parameter& parameter) {
 QString valueText(const Parameter& parameter, double value) {
   if (parameter.kind == ParameterKind::boolean) return value != 0.0 ? tr("on") : tr("off");
   if (parameter.kind != ParameterKind::choice) return plainNumber(value);
+  // Its words are names: the same in the profile, on the command line, in a recording and in every language.
   const auto index = static_cast<std::size_t>(value);
   return index < parameter.choices.size() ? textOf(parameter.choices[index]) : kNoValue;
 }

@@ -130,7 +130,7 @@ void addSceneExplain(CLI::App& scene) {
   auto options = std::make_shared<ExplainOptions>();
   CLI::App* command =
       scene.add_subcommand("explain", "What a scene file will be: bodies, models, memory, and the cost of a step");
-  command->add_option("scene", options->scene, "Scene file")->required();
+  command->add_option("scene", options->scene, "Scene file, or the name of a scene that comes along")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->callback([options] { explain(*options); });
 }

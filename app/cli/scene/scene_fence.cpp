@@ -284,7 +284,10 @@ void addSceneFence(CLI::App& scene) {
   auto options = std::make_shared<FenceOptions>();
   CLI::App* command =
       scene.add_subcommand("fence", "One of two players with swords; the other is another fyd scene fence");
-  command->add_option("scene", options->scene, "Scene file with [swords]; both players hold a copy")->required();
+  command
+      ->add_option("scene", options->scene,
+                   "Scene file with [swords], or the name of one that comes along; both players hold a copy")
+      ->required();
   command->add_option("--listen", options->listen, "Own address, HOST:PORT; port 0: any")->capture_default_str();
   command->add_option("--peer", options->peer, "The other player's address, HOST:PORT; left out: whoever speaks first");
   auto* path =

@@ -95,7 +95,7 @@ void run(const RunOptions& options) {
 void addSceneRun(CLI::App& scene) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = scene.add_subcommand("run", "A path of the haptic point through a scene: its force at each step");
-  command->add_option("scene", options->scene, "Scene file")->required();
+  command->add_option("scene", options->scene, "Scene file, or the name of a scene that comes along")->required();
   command->add_option("--path", options->path, "CSV with t_s, x_mm, y_mm and z_mm")->required();
   command->add_option("-o,--out", options->out, "CSV to write");
   command->add_flag("--json", options->json, "As JSON; with the rows when there is no --out");

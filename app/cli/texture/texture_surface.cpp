@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/cli/texture/texture_cli.h"
+#include "core/sim/resources.h"
 #include "core/texture/surface_model.h"
 #include "core/texture/virtual_texture.h"
 
@@ -71,7 +72,8 @@ struct PlayOptions {
 };
 
 void play(const PlayOptions& options) {
-  const SurfaceModel model = valueOrFail(parseSurface(readTextFile(options.model), options.model));
+  const std::string file = sim::findResource(options.model, "textures");
+  const SurfaceModel model = valueOrFail(parseSurface(readTextFile(file), file));
   VirtualTexture surface(model, options.rate_Hz, options.seed);
   std::vector<double> signal(static_cast<std::size_t>(options.duration_s * options.rate_Hz + 0.5));
   double energy = 0.0;
@@ -106,7 +108,8 @@ void addTextureFit(CLI::App& parent) {
 void addTexturePlay(CLI::App& parent) {
   auto options = std::make_shared<PlayOptions>();
   CLI::App* command = parent.add_subcommand("play", "Render a stored surface at one speed and force");
-  command->add_option("model", options->model, "Surface model (TOML)")->required();
+  command->add_option("model", options->model, "Surface model: a file (TOML), or the name of one that comes along")
+      ->required();
   command->add_option("--speed", options->speed_mm_s, "Finger speed, mm/s")->required()->check(CLI::Range(0.0, 1000.0));
   command->add_option("--force", options->force_N, "Normal force, N")->required()->check(CLI::Range(0.0, 20.0));
   command->add_option("-o,--output", options->output, "CSV to write: t_s,signal")->required();

@@ -19,7 +19,6 @@ namespace {
 using widgets::kGrid;
 using widgets::TextSize;
 
-constexpr int kErrorDecimals = 3;
 constexpr int kLongestWho = 80, kLongestConditions = 400;  // characters that fit in a report
 
 /// Every number of a parameter's text with five digits: the file keeps all of them.
@@ -35,6 +34,15 @@ QString shortened(const QString& text) {
   }
   out += text.mid(from);
   return out.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// A coefficient's name in words; a number at its end stays as it is.
+QString coefficientName(const std::string& name) {
+  const QString text = QString::fromStdString(name);
+  static const QRegularExpression kNumbered(QStringLiteral("^(.*) (\\d+)$"));
+  const QRegularExpressionMatch match = kNumbered.match(text);
+  if (!match.hasMatch()) return widgets::coreText(name);
+  return widgets::coreText(match.captured(1).toStdString()) + QLatin1Char(' ') + match.captured(2);
 }
 
 /// NaN where there is no such limit.
@@ -61,7 +69,11 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
       legend_(label(this, TextSize::small, true)),
       verdict_(label(this, TextSize::normal, false)),
       figures_(label(this, TextSize::small, true)),
-      changes_(new widgets::HeadingTable(0, 3, this)),
+      changes_(buildTable(QStringLiteral("calibration_changes"), tr("Values in force and new values"),
+                          {tr("Value"), tr("In force"), tr("New")})),
+      coefficients_(buildTable(QStringLiteral("calibration_coefficients"),
+                               tr("What was fitted, with its standard uncertainty"),
+                               {tr("Coefficient"), tr("Fitted"), tr("Uncertainty")})),
       who_(new QLineEdit(this)),
       offered_(new QPushButton(this)),
       conditions_(new QLineEdit(this)) {
@@ -69,14 +81,7 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   setAccessibleName(tr("Fit"));
   verdict_->setObjectName(QStringLiteral("calibration_verdict"));
   verdict_->setFont(widgets::textFont(TextSize::normal, true));
-  changes_->setObjectName(QStringLiteral("calibration_changes"));
-  changes_->setAccessibleName(tr("Values in force and new values"));
-  changes_->setHorizontalHeaderLabels({tr("Value"), tr("In force"), tr("New")});
-  changes_->verticalHeader()->hide();
-  changes_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  changes_->setFocusPolicy(Qt::NoFocus);
-  changes_->setFont(widgets::textFont(TextSize::small));
-  changes_->setFixedHeight(15 * kGrid);
+  coefficients_->setToolTip(tr("The standard uncertainty is one standard deviation, from the scatter of the points."));
   who_->setObjectName(QStringLiteral("calibration_who"));
   who_->setAccessibleName(tr("Who measured"));
   who_->setMaxLength(kLongestWho);
@@ -106,6 +111,7 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   lines->addWidget(plot_, 1);
   for (QLabel* each : {legend_, verdict_, figures_}) lines->addWidget(each);
   lines->addWidget(changes_);
+  lines->addWidget(coefficients_);
   QScrollArea* scroll = widgets::makeVerticalScroll(this);
   scroll->setWidget(said);
   auto* layout = new QVBoxLayout(this);
@@ -113,6 +119,19 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   layout->setSpacing(kGrid);
   layout->addWidget(scroll, 1);
   layout->addLayout(record);
+}
+
+QTableWidget* CalibrationFitPanel::buildTable(const QString& name, const QString& words, const QStringList& headings) {
+  auto* out = new widgets::HeadingTable(0, static_cast<int>(headings.size()), this);
+  out->setObjectName(name);
+  out->setAccessibleName(words);
+  out->setHorizontalHeaderLabels(headings);
+  out->verticalHeader()->hide();
+  out->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  out->setFocusPolicy(Qt::NoFocus);
+  out->setFont(widgets::textFont(TextSize::small));
+  out->setFixedHeight(15 * kGrid);
+  return out;
 }
 
 void CalibrationFitPanel::offerName(const QString& name) {
@@ -164,12 +183,37 @@ void CalibrationFitPanel::setChanges(const calibration::CalibrationResult& resul
   changes_->setVisible(row > 0);
 }
 
+void CalibrationFitPanel::setCoefficients(const std::vector<calibration::Coefficient>& coefficients) {
+  coefficients_->setRowCount(static_cast<int>(coefficients.size()));
+  int row = 0;
+  for (const calibration::Coefficient& each : coefficients) {
+    // None is known of a mean, and points without scatter tell none.
+    const bool known = each.standard_error > 1e-9 * std::abs(each.value);
+    const int decimals = widgets::decimalsOfUncertainty(each.standard_error);
+    const QString unit = each.unit == "1" ? QString() : QString::fromStdString(each.unit);
+    const QString name = coefficientName(each.name) + (unit.isEmpty() ? unit : QStringLiteral(", ") + unit);
+    const QString value = known ? widgets::numberText(each.value, decimals)
+                                : shortened(QString::fromStdString(fmt::format("{}", each.value)));
+    const QString error =
+        known ? QStringLiteral("± ") + widgets::quantityText(each.standard_error, decimals, unit) : widgets::kNoValue;
+    int column = 0;
+    for (const QString& text : {name, value, error}) {
+      auto* item = new QTableWidgetItem(text);
+      item->setToolTip(column == 2 && !known ? tr("None: a mean, or points without scatter.") : text);
+      coefficients_->setItem(row, column++, item);
+    }
+    ++row;
+  }
+  coefficients_->setVisible(row > 0);
+}
+
 void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, std::string_view error_limit,
                                  station::Profile profile) {
   const calibration::CalibrationResult& result = fit.result;
   plot_->setFit(fit.plot);
   legend_->setText(points > 0 ? fit.legend : QString());
   setChanges(points > 0 ? result : calibration::CalibrationResult{}, profile);
+  setCoefficients(points > 0 ? result.coefficients : std::vector<calibration::Coefficient>{});
   QStringList figures;
   if (points == 0) {
     verdict_->setText(tr("No points yet. The values in force stay until you accept new ones."));
@@ -178,12 +222,13 @@ void CalibrationFitPanel::setFit(const CalibrationFit& fit, std::size_t points, 
     verdict_->setText(result.verdict.accepted  ? tr("Good: %1.").arg(reason)
                       : !fit.missing.isEmpty() ? tr("Not yet: %1.").arg(reason)
                                                : tr("Refused: %1.").arg(reason));
-    const QString unit = QString::fromStdString(result.unit);
-    const auto error = [&](double value) { return widgets::quantityText(value, kErrorDecimals, unit); };
+    const auto error = [&](double value) { return widgets::coreText(calibration::errorWithUnit(value, result.unit)); };
     if (std::isfinite(result.held_out_rmse)) {
       const double allowed = valueOf(error_limit, profile);
       figures << (std::isfinite(allowed)
-                      ? tr("Held-out error %1 of at most %2").arg(error(result.held_out_rmse), error(allowed))
+                      ? tr("Held-out error %1 of at most %2")
+                            .arg(error(result.held_out_rmse),
+                                 widgets::plainNumber(allowed) + QLatin1Char(' ') + QString::fromStdString(result.unit))
                       : tr("Held-out error %1").arg(error(result.held_out_rmse)));
     }
     if (std::isfinite(result.rmse)) figures << tr("error of the fit %1").arg(error(result.rmse));

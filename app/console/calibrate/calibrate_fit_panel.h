@@ -30,6 +30,8 @@ class CalibrationFitPanel : public QFrame {
   [[nodiscard]] QString verdict() const { return verdict_->text(); }
   [[nodiscard]] QString figures() const { return figures_->text(); }
   [[nodiscard]] QTableWidget* changes() const { return changes_; }
+  /// What was fitted, each with its standard uncertainty.
+  [[nodiscard]] QTableWidget* coefficients() const { return coefficients_; }
   [[nodiscard]] widgets::FitPlot* plot() const { return plot_; }
   [[nodiscard]] QLineEdit* who() const { return who_; }
   [[nodiscard]] QPushButton* offeredName() const { return offered_; }
@@ -37,6 +39,8 @@ class CalibrationFitPanel : public QFrame {
 
  private:
   void refreshOffer();
+  QTableWidget* buildTable(const QString& name, const QString& words, const QStringList& headings);
+  void setCoefficients(const std::vector<calibration::Coefficient>& coefficients);
   void setChanges(const calibration::CalibrationResult& result, station::Profile& profile);
 
   widgets::FitPlot* plot_;
@@ -44,6 +48,7 @@ class CalibrationFitPanel : public QFrame {
   QLabel* verdict_;
   QLabel* figures_;
   QTableWidget* changes_;
+  QTableWidget* coefficients_;
   QLineEdit* who_;
   QPushButton* offered_;  ///< takes the name of the last calibration
   QLineEdit* conditions_;

@@ -51,6 +51,8 @@ QString fileBeside(const QString& profile, const std::string& procedure, int sen
           .arg(info.completeBaseName(), part, words(when).remove(QLatin1Char(':')), QLatin1String(ending)));
 }
 
+const QString kAccepting = QStringLiteral("accepting a calibration");  // cause of notices: the newest outcome counts
+
 /// @return an error when the file cannot be written; then there is none
 Result<void> writePicture(const QImage& picture, const QString& path) {
   QByteArray bytes;
@@ -69,14 +71,15 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   const bool exists = QFileInfo::exists(path);
   QDir().mkpath(QFileInfo(path).absolutePath());
   if (const QString why = context.tuning.claim().whyNot(); !why.isEmpty()) {
-    context.tell(Severity::error, tr("Not accepted, the old values stay. %1").arg(why + QLatin1Char('.')));
+    context.tell_about(kAccepting, Severity::error,
+                       tr("Not accepted, the old values stay. %1").arg(why + QLatin1Char('.')));
     return false;
   }
   const station::Profile in_force = context.session.currentProfile();
   auto profile = profileToWrite(path.toStdString(), in_force, exists);
   if (!profile) {
-    context.tell(Severity::error,
-                 tr("Not accepted, the old values stay. %1").arg(widgets::coreText(profile.error().message)));
+    context.tell_about(kAccepting, Severity::error,
+                       tr("Not accepted, the old values stay. %1").arg(widgets::coreText(profile.error().message)));
     return false;
   }
   keepOffsetInForce(*profile, in_force, sensor);
@@ -84,8 +87,8 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   const QString picture = said.picture.isNull() ? QString() : fileBeside(path, result.procedure, sensor, when, "png");
   if (!picture.isEmpty()) {
     if (const auto drawn = writePicture(said.picture, picture); !drawn) {
-      context.tell(Severity::error,
-                   tr("Not accepted, the old values stay. %1").arg(widgets::coreText(drawn.error().message)));
+      context.tell_about(kAccepting, Severity::error,
+                         tr("Not accepted, the old values stay. %1").arg(widgets::coreText(drawn.error().message)));
       return false;
     }
   }
@@ -99,15 +102,16 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
                                                *profile, path.toStdString());
   if (!record) {
     if (!picture.isEmpty()) QFile::remove(picture);
-    context.tell(Severity::error,
-                 tr("Not accepted, the old values stay. %1").arg(widgets::coreText(record.error().message)));
+    context.tell_about(kAccepting, Severity::error,
+                       tr("Not accepted, the old values stay. %1").arg(widgets::coreText(record.error().message)));
     return false;
   }
 
   context.tuning.claim().written();
   const QString file = QDir::toNativeSeparators(path);
   if (result.changes.empty()) {
-    context.tell(Severity::information, tr("Accepted and noted beside %1. It changes no value.").arg(file));
+    context.tell_about(kAccepting, Severity::information,
+                       tr("Accepted and noted beside %1. It changes no value.").arg(file));
     return true;
   }
 
@@ -123,13 +127,15 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   for (const calibration::ParameterChange& change : result.changes) context.tuning.model().markSaved(change.id);
   if (context.tuning.targetIsByHand()) context.tuning.targetByHand();
   if (begun) {
-    context.tell(Severity::information, tr("Accepted and written to %1. The session has begun anew with it; motors "
-                                           "stay off until you arm.")
-                                            .arg(file));
+    context.tell_about(kAccepting, Severity::information,
+                       tr("Accepted and written to %1. The session has begun anew with it; motors "
+                          "stay off until you arm.")
+                           .arg(file));
   } else {
-    context.tell(Severity::error, tr("Accepted and written to %1, but the session goes on without it: %2. Start the "
-                                     "window again to use it.")
-                                      .arg(file, widgets::coreText(begun.error().message)));
+    context.tell_about(kAccepting, Severity::error,
+                       tr("Accepted and written to %1, but the session goes on without it: %2. Start the "
+                          "window again to use it.")
+                           .arg(file, widgets::coreText(begun.error().message)));
   }
   return true;
 }

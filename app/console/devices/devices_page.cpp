@@ -17,6 +17,8 @@ using widgets::kGrid;
 constexpr int kRefresh_ms = 200;
 constexpr int kKeep_ms = 100;  // the station ends a test 0.5 s after the last call of keepDeviceTest
 
+const QString kTest = QStringLiteral("device test");  // cause of a notice: over when a test begins
+
 QStringList testWords() {
   QStringList out;
   for (std::size_t i = 0; i < device::kPartTests; ++i) {
@@ -62,12 +64,18 @@ void DevicesPage::build() {
   column->addWidget(form_);
   column->addWidget(found_, 1);
   side->setWidget(column_body);
-  side->setFixedWidth(34 * kGrid);
+  auto* edge = new QWidget(this);
+  edge->setFixedWidth(34 * kGrid);
+  auto* edge_layout = new QVBoxLayout(edge);
+  edge_layout->setContentsMargins(0, 0, 0, 0);
+  edge_layout->setSpacing(kGrid);
+  edge_layout->addWidget(side, 1);
+  edge_layout->addWidget(form_->foot());  // at the lower edge, whatever is chosen or said above it
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGrid);
   layout->addWidget(scroll, 1);
-  layout->addWidget(side);
+  layout->addWidget(edge);
 }
 
 void DevicesPage::connectForm() {
@@ -207,9 +215,11 @@ void DevicesPage::showTests() {
 
 void DevicesPage::startTest(int test) {
   if (const auto started = context_.session.startDeviceTest(static_cast<device::DeviceTest>(test), 0.0); !started) {
-    context_.tell(widgets::Severity::warning, widgets::deviceWord(started.error().message) + QLatin1Char('.'));
+    context_.tell_about(kTest, widgets::Severity::warning,
+                        widgets::deviceWord(started.error().message) + QLatin1Char('.'));
     return;
   }
+  context_.over(kTest);
   hold_timer_.start();
   showTests();
 }

@@ -122,8 +122,9 @@ void OperatePage::connectTuning() {
   connect(tuning_, &widgets::TuningPanel::targetByHandAsked, bridge, &TuningBridge::targetByHand);
   connect(tuning_, &widgets::TuningPanel::targetFromRobotAsked, bridge, &TuningBridge::targetFromRobot);
   connect(tuning_, &widgets::TuningPanel::saveAsked, bridge, &TuningBridge::save);
-  connect(tuning_, &widgets::TuningPanel::refused, this,
-          [this](const QString& why) { context_.tell(widgets::Severity::warning, why); });
+  connect(tuning_, &widgets::TuningPanel::refused, this, [this](const QString& why, const QString& parameter) {
+    context_.tell_about(entryCause(parameter), widgets::Severity::warning, why);
+  });
   connect(tuning_, &widgets::TuningPanel::entered, curves_, [this] { curves_->setFocus(Qt::OtherFocusReason); });
   auto* presets = new QMenu(this);
   bridge->presets().feed(*presets);
@@ -180,7 +181,7 @@ void OperatePage::addCurveCommands(PlaceCommands& commands) {
   commands.add({"curves.follow", "Curves", QT_TRANSLATE_NOOP("Commands", "Follow the newest values"), "follow", "F"},
                [this](bool) { curves_->follow(); });
   commands.add({"curves.go_to", "Curves", QT_TRANSLATE_NOOP("Commands", "Go to a time"), "", "J"},
-               [this](bool) { curves_->timeField()->setFocus(); });
+               [this](bool) { curves_->askForTime(); });
   const auto span = [&](const char* id, const char* text, const char* keys, double span_s) {
     commands.add({id, "Curves", text, "", keys}, [this, span_s](bool) { curves_->chooseSpan(span_s); });
   };

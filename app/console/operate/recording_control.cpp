@@ -19,6 +19,10 @@ using widgets::Severity;
 
 namespace {
 
+// Causes of notices. What is recorded, and what is said of its marks, is over when the file is closed.
+const QString kRecording = QStringLiteral("recording");
+const QString kMark = QStringLiteral("recording mark");
+
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
 RecordingView toView(const recording::RecorderStatus& status) {
@@ -82,13 +86,14 @@ void RecordingControl::open() {
   if (!dock_->isVisible() && !recording() && form_->fileIsSuggested()) form_->suggest();  // with the present time
   dock_->show();
   dock_->raise();
-  form_->focusButton();
+  form_->focusNext();
 }
 
 void RecordingControl::start(const widgets::RecordingEntries& entries) {
   const QString folder = QFileInfo(entries.file).absolutePath();
   if (!QDir().mkpath(folder)) {
-    context_.tell(Severity::error, tr("Not recording. Folder %1 cannot be made: choose another file.").arg(folder));
+    context_.tell_about(kRecording, Severity::error,
+                        tr("Not recording. Folder %1 cannot be made: choose another file.").arg(folder));
     return;
   }
   recording::RecordingRequest request{.path = entries.file.toStdString(),
@@ -98,13 +103,16 @@ void RecordingControl::start(const widgets::RecordingEntries& entries) {
                                       .tags = {}};
   for (const QString& tag : entries.tags) request.tags.push_back(tag.toStdString());
   if (const auto started = context_.session.startRecording(request); !started) {
-    context_.tell(Severity::error, tr("Not recording. %1.").arg(widgets::coreText(started.error().message)));
+    context_.tell_about(kRecording, Severity::error,
+                        tr("Not recording. %1.").arg(widgets::coreText(started.error().message)));
     return;
   }
   markers_ = 0;
   remember(entries);
   form_->notesField()->clear();  // they are this recording's, not the next one's
-  context_.tell(Severity::information, tr("Recording into %1.").arg(QDir::toNativeSeparators(entries.file)));
+  context_.over(kMark);          // also that nothing was recorded
+  context_.tell_about(kRecording, Severity::information,
+                      tr("Recording into %1.").arg(QDir::toNativeSeparators(entries.file)));
   context_.feed.pump();
 }
 
@@ -113,13 +121,16 @@ void RecordingControl::stop() {
   const auto stopped = context_.session.stopRecording();
   if (stopped) {
     last_.state = RecorderState::idle;
-    context_.tell(Severity::information, tr("Recording closed: %1.").arg(QDir::toNativeSeparators(file)));
+    context_.over(kMark);
+    context_.tell_about(kRecording, Severity::information,
+                        tr("Recording closed: %1.").arg(QDir::toNativeSeparators(file)));
     enterIntoCatalogue(file);
   } else {
-    context_.tell(Severity::error,
-                  tr("The recording did not close as it should. %1. What was written before is safe: it is repaired "
-                     "when the file is opened.")
-                      .arg(widgets::coreText(stopped.error().message)));
+    context_.tell_about(
+        kRecording, Severity::error,
+        tr("The recording did not close as it should. %1. What was written before is safe: it is repaired "
+           "when the file is opened.")
+            .arg(widgets::coreText(stopped.error().message)));
   }
   form_->suggest();
   context_.feed.pump();
@@ -147,7 +158,7 @@ void RecordingControl::enterIntoCatalogue(const QString& file) {
 
 void RecordingControl::mark() {
   if (!recording()) {
-    context_.tell(Severity::warning, tr("No marker: nothing is being recorded. Ctrl+R starts."));
+    context_.tell_about(kMark, Severity::warning, tr("No marker: nothing is being recorded. Ctrl+R starts."));
     return;
   }
   const QString name = tr("Marker %1").arg(markers_ + 1);
@@ -156,7 +167,8 @@ void RecordingControl::mark() {
     return;
   }
   ++markers_;
-  context_.tell(Severity::information, tr("Marker %1 at %2.").arg(markers_).arg(widgets::clockText(last_.seconds)));
+  context_.tell_about(kMark, Severity::information,
+                      tr("Marker %1 at %2.").arg(markers_).arg(widgets::clockText(last_.seconds)));
 }
 
 void RecordingControl::note(const QString& words) {
@@ -164,7 +176,7 @@ void RecordingControl::note(const QString& words) {
     context_.tell(Severity::warning, widgets::coreText(kept.error().message));
     return;
   }
-  context_.tell(Severity::information, tr("Note in the recording: %1").arg(words));
+  context_.tell_about(kMark, Severity::information, tr("Note in the recording: %1").arg(words));
 }
 
 void RecordingControl::take(const recording::RecorderStatus& status) {
@@ -173,7 +185,8 @@ void RecordingControl::take(const recording::RecorderStatus& status) {
   if (button_ != nullptr) button_->setRecording(view);
   form_->setRecording(view);
   if (status.state == RecorderState::failed && former.state != RecorderState::failed) {
-    context_.tell(Severity::error, tr("Recording failed. %1").arg(view.problem));
+    context_.over(kMark);
+    context_.tell_about(kRecording, Severity::error, tr("Recording failed. %1").arg(view.problem));
     form_->suggest();
   }
   if (status.lost > 0 && former.lost == 0) {

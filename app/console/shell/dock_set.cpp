@@ -2,8 +2,10 @@
 
 #include <QAction>
 #include <QChildEvent>
+#include <QHash>
 #include <QResizeEvent>
 #include <QScrollArea>
+#include <QSet>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTimer>
@@ -11,6 +13,7 @@
 #include <functional>
 
 #include "app/console/shell/side_dock.h"
+#include "widgets/basics/theme.h"
 
 namespace fyd::console {
 namespace {
@@ -32,52 +35,100 @@ int standardWidth(const QDockWidget& panel, int window_width) {
   return std::max(panel.minimumSizeHint().width(), static_cast<int>(kShareOfWidth * window_width));
 }
 
-/// Names the tab bars that the window makes for panels at one place, and gives panels that nobody has moved their share
-/// of a window that gets another width.
+}  // namespace
+
+/// Names the tab bars that the window makes for panels at one place, and gives the panels at its sides their share of a
+/// window that gets another width. A width that was drawn by hand, at the edge between panels, is left alone.
 class WindowFollower : public QObject {
  public:
-  using Unmoved = std::function<QList<QDockWidget*>(int width)>;
-  WindowFollower(QMainWindow* window, Unmoved unmoved)
-      : QObject(window), window_(*window), unmoved_(std::move(unmoved)) {
-    constexpr int kSettled_ms = 50;
+  using Panels = std::function<QList<QDockWidget*>()>;
+  /// @param sides the panels that are seen at the window's sides
+  WindowFollower(QMainWindow* window, Panels sides) : QObject(window), window_(*window), sides_(std::move(sides)) {
     settled_.setSingleShot(true);
     settled_.setInterval(kSettled_ms);
-    connect(&settled_, &QTimer::timeout, this, &WindowFollower::resize);
+    connect(&settled_, &QTimer::timeout, this, &WindowFollower::share);
+  }
+
+  /// The panels were put to their standard widths.
+  void forget() {
+    drawn_.clear();
+    restored_ = false;
+  }
+  /// The panels were put to widths of an earlier time: which of them were drawn by hand is seen from them.
+  void lookAgain() {
+    forget();
+    restored_ = true;
   }
 
   bool eventFilter(QObject* window, QEvent* event) override {
-    if (event->type() == QEvent::Resize) follow(static_cast<QResizeEvent*>(event)->oldSize().width());
-    if (event->type() == QEvent::ChildPolished) {
-      auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
-      if (tabs != nullptr && tabs->accessibleName().isEmpty()) tabs->setAccessibleName(SideDock::tr("Panels"));
+    switch (event->type()) {
+      case QEvent::Resize: follow(static_cast<QResizeEvent*>(event)->oldSize().width()); break;
+      case QEvent::MouseButtonPress: pressed_ = widths(); break;
+      case QEvent::MouseButtonRelease: QTimer::singleShot(kSettled_ms, this, &WindowFollower::noteDrawn); break;
+      case QEvent::ChildPolished: {
+        auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child());
+        if (tabs != nullptr && tabs->accessibleName().isEmpty()) tabs->setAccessibleName(SideDock::tr("Panels"));
+        break;
+      }
+      default: break;
     }
     return QObject::eventFilter(window, event);
   }
 
  private:
+  static constexpr int kSettled_ms = 50;
+  static constexpr int kByHand_px = 2 * widgets::kGrid;  ///< less is rounding, and no intention
+
+  [[nodiscard]] QHash<QDockWidget*, int> widths() const {
+    QHash<QDockWidget*, int> out;
+    for (QDockWidget* panel : sides_()) out[panel] = panel->width();
+    return out;
+  }
+  [[nodiscard]] bool hasShareOf(const QDockWidget* panel, int window_width) const {
+    return std::abs(panel->width() - standardWidth(*panel, window_width)) <= kByHand_px;
+  }
+  void noteDrawn() {
+    for (const auto& [panel, width] : pressed_.asKeyValueRange()) {
+      if (panel->width() == width) continue;
+      if (hasShareOf(panel, window_.width())) {
+        drawn_.remove(panel);
+      } else {
+        drawn_.insert(panel);
+      }
+    }
+    pressed_.clear();
+  }
   void follow(int former_width) {
     if (former_width <= 0 || !window_.isVisible()) return;
-    // A window comes to its size by steps, and its own layout follows the last of them.
-    if (following_.isEmpty()) following_ = unmoved_(former_width);
-    if (!following_.isEmpty()) settled_.start();
+    if (std::exchange(restored_, false)) {
+      for (QDockWidget* panel : sides_()) {
+        if (!hasShareOf(panel, former_width)) drawn_.insert(panel);
+      }
+    }
+    settled_.start();  // a window comes to its size by steps, and its own layout follows the last of them
   }
-  void resize() {
-    const QList<QDockWidget*> panels = std::exchange(following_, {});
-    QList<int> widths;
-    for (const QDockWidget* panel : panels) widths << standardWidth(*panel, window_.width());
-    window_.resizeDocks(panels, widths, Qt::Horizontal);
+  void share() {
+    QList<QDockWidget*> panels;
+    QList<int> shares;
+    for (QDockWidget* panel : sides_()) {
+      if (drawn_.contains(panel)) continue;
+      panels << panel;
+      shares << standardWidth(*panel, window_.width());
+    }
+    window_.resizeDocks(panels, shares, Qt::Horizontal);
   }
 
   QMainWindow& window_;
-  Unmoved unmoved_;
-  QList<QDockWidget*> following_;
+  Panels sides_;
   QTimer settled_;
+  QSet<QDockWidget*> drawn_;          ///< by hand
+  QHash<QDockWidget*, int> pressed_;  ///< widths when the mouse was pressed at an edge
+  bool restored_ = false;
 };
 
-}  // namespace
-
-DockSet::DockSet(QMainWindow& window, Sharing sharing) : window_(window), sharing_(sharing) {
-  window_.installEventFilter(new WindowFollower(&window_, [this](int width) { return unmoved(width); }));
+DockSet::DockSet(QMainWindow& window, Sharing sharing)
+    : window_(window), sharing_(sharing), follower_(new WindowFollower(&window_, [this] { return sides(); })) {
+  window_.installEventFilter(follower_);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
   // Side panels extend to the window's lower edge, so that bottom panels do not shorten them.
@@ -103,6 +154,7 @@ void DockSet::place(const Panel& panel) {
 }
 
 void DockSet::arrange() {
+  follower_->forget();
   for (const Panel& each : panels_) {
     each.dock->setFloating(false);
     window_.removeDockWidget(each.dock);
@@ -128,19 +180,18 @@ void DockSet::arrange() {
   QMetaObject::invokeMethod(&window_, resize, Qt::QueuedConnection);  // again once the window has its final size
 }
 
-QList<QDockWidget*> DockSet::unmoved(int width) const {
+QList<QDockWidget*> DockSet::sides() const {
   QList<QDockWidget*> out;
   for (const Panel& each : panels_) {
     const bool at_side = each.area == Qt::LeftDockWidgetArea || each.area == Qt::RightDockWidgetArea;
-    if (!at_side || !each.shown || each.dock->isFloating() || !each.dock->isVisible()) continue;
-    constexpr int kRounding_px = 2;
-    if (std::abs(each.dock->width() - standardWidth(*each.dock, width)) <= kRounding_px) out << each.dock;
+    if (at_side && each.shown && !each.dock->isFloating() && each.dock->isVisible()) out << each.dock;
   }
   return out;
 }
 
 void DockSet::restore(const QByteArray& layout) {
-  if (layout.isEmpty() || !window_.restoreState(layout, kVersion)) arrange();
+  if (layout.isEmpty() || !window_.restoreState(layout, kVersion)) return arrange();
+  follower_->lookAgain();
 }
 
 void connectToggle(QAction* command, QDockWidget* panel) {

@@ -7,6 +7,8 @@
 
 namespace fyd::console {
 
+class WindowFollower;
+
 class DockSet {
  public:
   /// How panels at one edge share it.
@@ -31,11 +33,12 @@ class DockSet {
   static constexpr int kVersion = 1;  ///< increased when a panel's meaning changes: older layouts are then dropped
 
   void place(const Panel& panel);
-  /// The side panels that are as wide as a window of this width makes them.
-  [[nodiscard]] QList<QDockWidget*> unmoved(int width) const;
+  /// The panels that are seen at the window's sides.
+  [[nodiscard]] QList<QDockWidget*> sides() const;
 
   QMainWindow& window_;
   Sharing sharing_;
+  WindowFollower* follower_;  ///< the window's child
   std::vector<Panel> panels_;
 };
 

@@ -15,6 +15,8 @@ namespace fyd::console {
 class LoopJudge {
  public:
   void listen(std::span<const pipeline::TelemetrySample> samples);
+  /// Another touchpad is listened to from now on.
+  void forget() { motors_age_ms_.reset(); }
   /// What auto-tune identified; none: as the profile describes the sensors.
   void setCloth(std::optional<control::IdentifiedCloth> cloth) { cloth_ = std::move(cloth); }
   [[nodiscard]] const std::optional<control::IdentifiedCloth>& cloth() const { return cloth_; }

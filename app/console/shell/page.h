@@ -13,6 +13,9 @@
 
 namespace fyd::console {
 
+/// Cause of what is told of an entry for a tuned parameter: it is over with the next value that is taken.
+[[nodiscard]] inline QString entryCause(const QString& parameter) { return QStringLiteral("entry ") + parameter; }
+
 /// Objects that the window provides to its places; all of them outlive the places.
 struct PageContext {
   Session& session;
@@ -21,6 +24,9 @@ struct PageContext {
   ConnectionChange& connection;
   QString catalogue;                                            ///< word as after --catalogue; empty: this user's own
   std::function<void(widgets::Severity, const QString&)> tell;  ///< shows a notice, and adds it to the log
+  /// The same of something that may pass: it stands in the place of the former one of this cause.
+  std::function<void(const QString& cause, widgets::Severity, const QString&)> tell_about;
+  std::function<void(const QString& cause)> over;  ///< the cause is gone, and its notices with it
   std::function<void(const QString& text, const QString& file)> written;  ///< the same, with a way to the file's folder
 };
 

@@ -78,12 +78,11 @@ void SessionFeed::lookAtParts() {
   emit parts(toParts(status, missed_now_, session_.telemetryLost()));
   emit link(toLink(status));
   emit recorder(session_.recorderStatus());
-  emit readiness(toReadiness(session_.readiness(), session_.connection()));
+  emit readiness(toReadiness(session_.readiness(), session_.devices(), session_.connection()));
   for (const device::DeviceReport& part : status.parts) {
     if (part.part != device::Part::camera || part.ok) continue;
-    emit cameraMissing(
-        tr("Looked for: %1\n%2\n\nIt is tried again by itself. Another camera is chosen in Devices.")
-            .arg(widgets::coreText(part.description), widgets::coreText(part.problem)));
+    emit cameraMissing(tr("Looked for: %1\n%2\n\nIt is tried again by itself. Another camera is chosen in Devices.")
+                           .arg(widgets::coreText(part.description), widgets::coreText(part.problem)));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/station/profile/calibrated_values.h"
 #include "widgets/basics/core_text.h"
+#include "widgets/tuning/tuning_text.h"
 
 namespace fyd::console {
 
@@ -36,7 +37,7 @@ void TuningBridge::apply(const QString& id, double value) {
   const std::string name = id.toStdString();
   if (const auto ok = session_.setParameter(name, value); !ok) {
     const QString why = widgets::coreText(ok.error().message);
-    emit told(Severity::warning, why);
+    emit refused(why, id);
     model_.refuse(name, why);
     return;
   }
@@ -96,6 +97,18 @@ void TuningBridge::restart() {
   for (const Parameter& parameter : bindParameters(current)) {
     if (parameter.isNumber()) model_.accept(parameter.id, parameter.value());
   }
+}
+
+QString TuningBridge::unsaved() const {
+  constexpr int kNamed = 4;  // so that the rest of the question stays in sight
+  QStringList names;
+  for (const widgets::TunedParameter& each : model_.parameters()) {
+    if (each.changed()) names << widgets::tunedName(each.info);
+  }
+  if (names.isEmpty()) return {};
+  const QString named = names.mid(0, kNamed).join(QStringLiteral(", "));
+  if (names.size() <= kNamed) return tr("changed and not saved: %1").arg(named);
+  return tr("changed and not saved: %1 and %2 more").arg(named).arg(names.size() - kNamed);
 }
 
 void TuningBridge::startWithTarget(bool by_hand) {

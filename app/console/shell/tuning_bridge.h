@@ -41,6 +41,8 @@ class TuningBridge : public QObject {
   /// The current values; when the saved ones are felt, it goes back to the current ones first. While a question about
   /// that waits, nothing is saved.
   void save();
+  /// Which parameters differ from the profile, as a phrase; empty: none.
+  [[nodiscard]] QString unsaved() const;
   /// To be called when the session began anew: pending answers of the former one are dropped, and its values are shown.
   void restart();
 
@@ -50,6 +52,7 @@ class TuningBridge : public QObject {
  signals:
   void targetShown(bool by_hand);
   void told(fyd::widgets::Severity severity, const QString& text);
+  void refused(const QString& why, const QString& parameter);
 
  private:
   struct UnderWay {

@@ -1,5 +1,7 @@
 #include "app/console/shell/views.h"
 
+#include <algorithm>
+
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
 #include "widgets/basics/words.h"
@@ -115,6 +117,10 @@ Mending mendingOf(pipeline::Fault fault) {
   return {};
 }
 
+bool inUse(const std::vector<device::DeviceReport>& devices, device::Part part) {
+  return std::ranges::any_of(devices, [&](const auto& each) { return each.part == part && each.in_use; });
+}
+
 }  // namespace
 
 QImage toImage(const cv::Mat& picture) {
@@ -189,17 +195,24 @@ widgets::LinkView toLink(const station::StationStatus& status) {
 }
 
 std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines,
+                                               const std::vector<device::DeviceReport>& devices,
                                                const ConnectionWords& connection) {
   std::vector<widgets::ReadinessRow> out;
   for (const station::ReadinessLine& line : lines) {
     QString why = widgets::coreText(line.why);
     if (!why.isEmpty()) why[0] = why[0].toUpper();
-    const QString cable = widgets::cableRemedy(line.fault, connection);
+    QString remedy = widgets::cableRemedy(line.fault, connection);
+    if (!remedy.isEmpty() && inUse(devices, widgets::silentPart(line.fault, connection))) {
+      const widgets::InUseText text = widgets::inUseText(line.fault, connection);
+      why = text.why;
+      remedy = text.remedy;
+    }
     const Mending mending = mendingOf(line.fault);
     out.push_back({.what = widgets::coreText(line.what),
                    .ok = line.ok,
                    .why = why,
-                   .remedy = cable.isEmpty() ? widgets::coreText(line.remedy) : cable,
+                   .remedy = remedy.isEmpty() ? widgets::coreText(line.remedy) : remedy,
+                   .fault = line.fault,
                    .command = QLatin1String(mending.command),
                    .action = *mending.words == '\0' ? QString() : tr(mending.words)});
   }

@@ -21,7 +21,9 @@ namespace fyd::console {
 [[nodiscard]] std::vector<widgets::PartView> toParts(const station::StationStatus& status, double missed_now,
                                                      std::uint64_t telemetry_lost);
 /// @param connection the session's, to name the cables
+/// @param devices of which one may be in use by another program
 [[nodiscard]] std::vector<widgets::ReadinessRow> toReadiness(const std::vector<station::ReadinessLine>& lines,
+                                                             const std::vector<device::DeviceReport>& devices,
                                                              const ConnectionWords& connection);
 
 [[nodiscard]] widgets::LinkView toLink(const station::StationStatus& status);

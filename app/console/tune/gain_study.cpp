@@ -1,6 +1,7 @@
 #include "app/console/tune/gain_study.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "widgets/basics/core_text.h"
@@ -65,6 +66,7 @@ void GainStudy::offerSources() {
 void GainStudy::beginAnew() {
   study_.cancel();
   study_.forget();
+  context_.tuning.judge().forget();
   offerSources();
   discardProposal({});
 }
@@ -93,6 +95,7 @@ void GainStudy::studyValues() {
   LoopJudge& judge = context_.tuning.judge();
   judge.setCloth(study_.proposal() ? std::optional(study_.proposal()->cloth) : std::nullopt);
   const std::optional<control::LoopTiming> timing = judge.timing();
+  studied_with_ = timing;
   study_.setValues(withValues(base, model_, &widgets::TunedParameter::value),
                    withValues(base, model_, &widgets::TunedParameter::saved), timing.value_or(control::LoopTiming{}));
   QString words = study_.proposal() ? tr("On the cloth that auto-tune identified, 30 % softer than its law says.")
@@ -103,6 +106,14 @@ void GainStudy::studyValues() {
                                       : tr("The motors have not answered yet: their angle is taken to be 2 ms old, and "
                                            "only what no touchpad bears is asked about."));
   response_->setPlotBackground(words);
+}
+
+void GainStudy::followTouchpad() {
+  constexpr double kNews_s = 0.2e-3;  // below it neither words nor courses change visibly
+  const std::optional<control::LoopTiming> timing = context_.tuning.judge().timing();
+  const bool same = timing && studied_with_ ? std::abs(timing->motors_age_s - studied_with_->motors_age_s) < kNews_s
+                                            : timing.has_value() == studied_with_.has_value();
+  if (!same) studyValues();
 }
 
 void GainStudy::showProposal(const widgets::ResponseView& response) {

@@ -20,6 +20,8 @@ class GainStudy : public QObject {
 
   /// Computes the responses of the values as they are now.
   void studyValues();
+  /// The same when the touchpad's lateness has become known, or another one. To be called now and then while shown.
+  void followTouchpad();
   void listen(std::span<const pipeline::TelemetrySample> samples) { study_.listen(samples); }
   [[nodiscard]] LoopStudy& study() { return study_; }
 
@@ -37,6 +39,7 @@ class GainStudy : public QObject {
   widgets::TuningProposal* proposal_;
   LoopStudy study_;
   std::vector<TuneSource> sources_;
+  std::optional<control::LoopTiming> studied_with_;  ///< none: the motors had not answered
 };
 
 }  // namespace fyd::console

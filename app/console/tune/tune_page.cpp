@@ -69,10 +69,14 @@ void TunePage::build() {
 }
 
 void TunePage::connectModel() {
-  const auto refuse = [this](const QString& why) { context_.tell(Severity::warning, why); };
-  connect(list_, &widgets::TuningList::refused, this, refuse);
+  connect(list_, &widgets::TuningList::refused, this, [this](const QString& why, const QString& parameter) {
+    context_.tell_about(entryCause(parameter), Severity::warning, why);
+  });
   connect(list_, &widgets::TuningList::entered, response_, &widgets::TuningResponse::takeFocus);
-  connect(differences_, &widgets::TuningDifferences::refused, this, refuse);
+  const QString felt = QStringLiteral("saved values felt");
+  connect(differences_, &widgets::TuningDifferences::refused, this,
+          [this, felt](const QString& why) { context_.tell_about(felt, Severity::warning, why); });
+  connect(&model_, &widgets::TuningModel::feelingSavedChanged, this, [this, felt] { context_.over(felt); });
   connect(&model_, &widgets::TuningModel::changed, this, [this](const QString& id) {
     if (shown_ && id.startsWith(QLatin1String("control."))) gains_->studyValues();
   });
@@ -126,7 +130,10 @@ void TunePage::leave() {
   reading_.stop();
 }
 
-void TunePage::readBack() { readback_->setLines(readbackLines(model_, newest_, context_.session.devices())); }
+void TunePage::readBack() {
+  readback_->setLines(readbackLines(model_, newest_, context_.session.devices()));
+  gains_->followTouchpad();
+}
 
 void TunePage::findParameter() {
   list_->search()->setFocus(Qt::ShortcutFocusReason);

@@ -31,6 +31,10 @@ bool Leaving::mayLeave(const QStringList& unfinished) {
   return false;
 }
 
+void Leaving::look(const std::function<QStringList()>& unfinished) {
+  if (notices_.shows(kCause) && unfinished().isEmpty()) withdraw();
+}
+
 void Leaving::withdraw() { notices_.withdraw(kCause); }
 
 }  // namespace fyd::console

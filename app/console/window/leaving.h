@@ -17,6 +17,9 @@ class Leaving {
   /// @return true when nothing would, or this was said before and nothing came to it since
   [[nodiscard]] bool mayLeave(const QStringList& unfinished);
 
+  /// To be called now and then: takes the question away once nothing is left of what it names.
+  void look(const std::function<QStringList()>& unfinished);
+
  private:
   void withdraw();
 

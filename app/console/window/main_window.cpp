@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QScreen>
+#include <QTimer>
 #include <QUrl>
 #include <algorithm>
 
@@ -18,6 +19,7 @@
 #include "app/console/window/focus_guard.h"
 #include "app/console/window/manual.h"
 #include "app/console/window/places.h"
+#include "core/catalogue/catalogue_delivery.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/icon.h"
 
@@ -92,6 +94,12 @@ PageContext MainWindow::context() {
           .connection = *connection_,
           .catalogue = catalogue_,
           .tell = [this](Severity severity, const QString& text) { tell(severity, text); },
+          .tell_about =
+              [this](const QString& cause, Severity severity, const QString& text) {
+                notices()->withdraw(cause);
+                tell(severity, text, true, cause);
+              },
+          .over = [this](const QString& cause) { notices()->withdraw(cause); },
           .written = [this](const QString& text, const QString& file) { tellWritten(text, file); }};
 }
 
@@ -110,6 +118,14 @@ void MainWindow::start() {
   }
   session_->start();
   feed_->start();
+}
+
+void MainWindow::endWithoutDisplay() {
+  session_->requestStop();
+  const recording::RecorderStatus recorder = session_->recorderStatus();
+  const bool recorded = recorder.state == recording::RecorderState::recording && session_->stopRecording().has_value();
+  session_->shutDown();
+  if (recorded) (void)catalogue::catalogueRecording(catalogue_.toStdString(), recorder.path);  // what fails here, a scan finds
 }
 
 void MainWindow::openPanels(const QStringList& names) {
@@ -158,6 +174,11 @@ void MainWindow::connectFeed() {
   connect(feed_, &SessionFeed::readiness, this, &MainWindow::takeReadiness);
   connect(&tuning_, &TuningBridge::told, this,
           [this](Severity severity, const QString& text) { tell(severity, text); });
+  connect(&tuning_, &TuningBridge::refused, this, [this](const QString& why, const QString& id) {
+    context().tell_about(entryCause(id), Severity::warning, why);
+  });
+  connect(&tuning_.model(), &widgets::TuningModel::taken, this,
+          [this](const QString& id) { notices()->withdraw(entryCause(id)); });
   connect(recording_, &RecordingControl::catalogued, reviewPage(), &ReviewPage::showNews);
 }
 
@@ -235,15 +256,29 @@ void MainWindow::connectLook() {
 
 void MainWindow::setTheme(widgets::ThemeChoice choice) {
   // Dressing every widget anew takes almost a second, in which the window hears no key and a real device is Held.
-  if (state_ == pipeline::SafetyState::active && !session_->status().loop.waits) {
+  if (motorsMayBeOn() && !session_->status().loop.waits) {
     waiting_theme_ = choice;
-    tell(Severity::information, tr("The theme changes once nothing renders: Esc would not be heard meanwhile."), true,
+    tell(Severity::information, tr("The theme changes once the motors are off: Esc would not be heard meanwhile."), true,
          QStringLiteral("theme"));
     return;
   }
   waiting_theme_.reset();
   notices()->withdraw(QStringLiteral("theme"));
   widgets::Look::instance().apply(*qApp, choice);
+}
+
+bool MainWindow::motorsMayBeOn() const {
+  return state_ == pipeline::SafetyState::active || state_ == pipeline::SafetyState::held;  // Held keeps the drives enabled
+}
+
+void MainWindow::takeWaitingTheme() {
+  if (!waiting_theme_ || motorsMayBeOn() || theme_comes_) return;
+  constexpr int kPainted_ms = 300;  // until the state bar says that the motors are off
+  theme_comes_ = true;
+  QTimer::singleShot(kPainted_ms, this, [this] {
+    theme_comes_ = false;
+    if (waiting_theme_) setTheme(*waiting_theme_);
+  });
 }
 
 void MainWindow::connectLayouts() {
@@ -302,7 +337,7 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
   if (state_ == pipeline::SafetyState::active) notices()->withdraw(kHowToArm);
   stateBar()->showState(newest.state, newest.fault);
   link_->showSample(newest);
-  if (waiting_theme_ && state_ != pipeline::SafetyState::active) setTheme(*waiting_theme_);
+  takeWaitingTheme();
   if (arm_once_ && newest.state == pipeline::SafetyState::ready) {
     arm_once_ = false;
     ask(pipeline::OperatorAction::arm);
@@ -311,9 +346,11 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
 
 void MainWindow::takeReadiness(const std::vector<widgets::ReadinessRow>& rows) {
   const auto unmet = std::ranges::find(rows, false, &widgets::ReadinessRow::ok);
-  stateBar()->showMissing(unmet == rows.end() ? widgets::MissingNow{}
-                                              : widgets::MissingNow{.why = unmet->why, .remedy = unmet->remedy});
+  stateBar()->showMissing(unmet == rows.end()
+                              ? widgets::MissingNow{}
+                              : widgets::MissingNow{.why = unmet->why, .remedy = unmet->remedy, .fault = unmet->fault});
   causes_.look(session_->readiness(), state_, *notices());
+  leaving_.look([this] { return unfinished(); });
 }
 
 void MainWindow::takeNotice(const station::Notice& notice) {
@@ -354,6 +391,7 @@ QStringList MainWindow::unfinished() const {
   if (state_ == pipeline::SafetyState::active) out << tr("the touchpad renders, motors on");
   if (session_->recorderStatus().state == recording::RecorderState::recording)
     out << tr("a recording is being written");
+  if (const QString unsaved = tuning_.unsaved(); !unsaved.isEmpty()) out << unsaved;
   for (const PlaceInfo& place : places()) {
     const QString left = frame_->page(QLatin1String(place.id))->unfinished();
     if (!left.isEmpty()) out << left;

@@ -49,6 +49,8 @@ class MainWindow : public QMainWindow {
 
   /// Starts the session's threads and the feed.
   void start();
+  /// The display is gone: stops the motors and closes the recording. Only the session is touched.
+  void endWithoutDisplay();
   /// Arms once when first Ready, as a headless station does; for screenshots.
   void armOnce() { arm_once_ = true; }
 
@@ -104,6 +106,8 @@ class MainWindow : public QMainWindow {
   void connectCommands();
   void connectLook();
   void setTheme(widgets::ThemeChoice choice);
+  [[nodiscard]] bool motorsMayBeOn() const;
+  void takeWaitingTheme();
   void connectLayouts();
   void recall();
   void remember();
@@ -142,6 +146,7 @@ class MainWindow : public QMainWindow {
   Layout standard_;  ///< the curves of a first start; the panels' states are empty, which gives the standard layout
   bool arm_once_ = false;
   std::optional<widgets::ThemeChoice> waiting_theme_;
+  bool theme_comes_ = false;  ///< the waiting one, in a moment
 };
 
 }  // namespace fyd::console

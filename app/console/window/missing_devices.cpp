@@ -1,5 +1,7 @@
 #include "app/console/window/missing_devices.h"
 
+#include <algorithm>
+
 #include "widgets/basics/core_text.h"
 
 namespace fyd::console {
@@ -55,7 +57,10 @@ void MissingDevices::refresh() {
   if (!context_.connection.work().isEmpty()) {
     text = context_.connection.work();
   } else if (open) {
-    text += QLatin1Char(' ') + tr("They are asked again by themselves: check power and cables.");
+    const auto devices = context_.session.devices();
+    const bool in_use = std::ranges::any_of(devices, &device::DeviceReport::in_use);
+    text += QLatin1Char(' ') + (in_use ? tr("They are asked again by themselves: close the other program.")
+                                       : tr("They are asked again by themselves: check power and cables."));
   }
   std::vector<widgets::GuideStrip::Action> actions;
   if (!open) {

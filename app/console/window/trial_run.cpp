@@ -6,6 +6,12 @@ namespace fyd::console {
 
 using widgets::Severity;
 
+namespace {
+
+const QString kTrial = QStringLiteral("trial");  // cause of notices: each stands in the place of the former one
+
+}  // namespace
+
 TrialRun::TrialRun(const PageContext& context, QObject* parent) : QObject(parent), context_(context) {}
 
 void TrialRun::addCommands(CommandRegistry& commands) {
@@ -26,17 +32,17 @@ Result<void> TrialRun::plan(const TrialWords& words) {
 
 bool TrialRun::mark(recording::NoteKind kind, const experiment::Trial& trial) {
   const auto kept = context_.session.note(kind, experiment::markerText(trial));
-  if (!kept) context_.tell(Severity::warning, widgets::coreText(kept.error().message));
+  if (!kept) context_.tell_about(kTrial, Severity::warning, widgets::coreText(kept.error().message));
   return kept.has_value();
 }
 
 void TrialRun::next() {
   if (trials_.empty()) {
-    context_.tell(Severity::information, tr("No trials are planned: start with --trials soft,hard,…"));
+    context_.tell_about(kTrial, Severity::information, tr("No trials are planned: start with --trials soft,hard,…"));
     return;
   }
   if (context_.session.recorderStatus().state != recording::RecorderState::recording) {
-    context_.tell(Severity::warning, tr("No trial was begun: nothing is being recorded. Ctrl+R starts."));
+    context_.tell_about(kTrial, Severity::warning, tr("No trial was begun: nothing is being recorded. Ctrl+R starts."));
     return;
   }
   if (under_way_) {
@@ -44,15 +50,15 @@ void TrialRun::next() {
     under_way_ = false;
   }
   if (begun_ == trials_.size()) {
-    context_.tell(Severity::information, tr("All %1 trials are done.").arg(trials_.size()));
+    context_.tell_about(kTrial, Severity::information, tr("All %1 trials are done.").arg(trials_.size()));
     return;
   }
   const experiment::Trial& trial = trials_[begun_];
   if (!mark(recording::NoteKind::trial_start, trial)) return;
   ++begun_;
   under_way_ = true;
-  context_.tell(
-      Severity::information,
+  context_.tell_about(
+      kTrial, Severity::information,
       tr("Trial %1 of %2: %3.").arg(trial.number).arg(trials_.size()).arg(QString::fromStdString(trial.condition)));
 }
 

@@ -8,6 +8,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "core/device/in_use.h"
 #include "core/device/serial_port.h"
 
 namespace fyd::device {
@@ -41,7 +42,7 @@ Message exceptionText(int problem) {
     case EMBXILVAL: return say("exception 3: it refuses the value");
     case EMBXSFAIL: return say("exception 4: it failed; see the touchpad's own display or log");
     case EMBXACK: return say("exception 5: it needs longer");
-    case EMBXSBUSY: return say("exception 6: it is busy, another program drives its motors; close that one");
+    case EMBXSBUSY: return {MessageKind::device, kDrivenElsewhere};
     case EMBXNACK: return say("exception 7: it cannot do this");
     case EMBXMEMPAR: return say("exception 8: memory parity error");
     case EMBXGPATH: return say("exception 10: the gateway has no path to it");

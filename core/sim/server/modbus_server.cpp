@@ -121,7 +121,7 @@ ModbusException ModbusResponder::obey(const std::uint8_t* pdu, int length, Insta
 }
 
 void ModbusResponder::answer(const std::uint8_t* request, int length) {
-  const Instant now = Clock::now();
+  const Instant now = electronics_->clock();
   const FaultPlan& faults = electronics_->faults();
   electronics_->advanceTo(now);
   if (!electronics_->powered(now) || faults.active(TouchpadFault::silence, now)) return;

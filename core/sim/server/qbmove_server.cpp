@@ -30,7 +30,7 @@ void QbmoveServer::send(std::span<const std::uint8_t> bytes) {
 }
 
 void QbmoveServer::answer(const protocol::QbmoveFrame& frame) {
-  const Instant now = Clock::now();
+  const Instant now = electronics_->clock();
   const FaultPlan& faults = electronics_->faults();
   electronics_->advanceTo(now);
   if (!electronics_->powered(now) || faults.active(TouchpadFault::silence, now)) return;

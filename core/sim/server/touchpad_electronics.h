@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "core/sim/server/motor_board.h"
 #include "core/sim/server/register_bank.h"
@@ -17,6 +19,10 @@ class TouchpadElectronics {
  public:
   TouchpadElectronics(std::shared_ptr<TouchpadWorld> world, FaultPlan faults, const MotorBoardOptions& board,
                       Instant start, RegisterBank bank = RegisterBank());
+
+  /// The time by which the servers answer: the system's, unless another was given before they started.
+  [[nodiscard]] Instant clock() const { return clock_(); }
+  void readTimeFrom(std::function<Instant()> clock) { clock_ = std::move(clock); }
 
   /// Advances the world to `now`, a millisecond at a time, each with its own vibration duty. Each server calls it
   /// before it answers; the process calls it every few milliseconds besides.
@@ -57,6 +63,7 @@ class TouchpadElectronics {
 
   const std::shared_ptr<TouchpadWorld> world_;
   const FaultPlan faults_;
+  std::function<Instant()> clock_ = [] { return Clock::now(); };
   mutable std::mutex mutex_;
   RegisterBank bank_;
   MotorBoard board_;

@@ -16,9 +16,8 @@ using calibration::CalibrationRecord;
 
 constexpr int kDigits = 4;
 
-std::string quantity(double value, const std::string& unit) {
-  return std::isfinite(value) ? report::reportNumber(value, kDigits) + " " + unit
-                              : report::reportNumber(value, kDigits);
+std::string errorOf(double value, const std::string& unit) {
+  return std::isfinite(value) ? calibration::errorWithUnit(value, unit).text() : report::reportNumber(value, kDigits);
 }
 
 std::string partOf(const CalibrationRecord& record) {
@@ -55,9 +54,9 @@ report::ReportTable errorsTable(const CalibrationRecord& record, const Calibrati
   row("curve", [](const CalibrationRecord& r) { return r.curve; });
   row("points", [](const CalibrationRecord& r) { return fmt::format("{}", r.points); });
   row("points the others contradict", [](const CalibrationRecord& r) { return fmt::format("{}", r.outliers); });
-  row("held-out error", [](const CalibrationRecord& r) { return quantity(r.held_out_rmse, r.unit); });
-  row("error of the fit", [](const CalibrationRecord& r) { return quantity(r.rmse, r.unit); });
-  row("largest residual", [](const CalibrationRecord& r) { return quantity(r.max_residual, r.unit); });
+  row("held-out error", [](const CalibrationRecord& r) { return errorOf(r.held_out_rmse, r.unit); });
+  row("error of the fit", [](const CalibrationRecord& r) { return errorOf(r.rmse, r.unit); });
+  row("largest residual", [](const CalibrationRecord& r) { return errorOf(r.max_residual, r.unit); });
   row("condition number", [](const CalibrationRecord& r) { return report::reportNumber(r.condition_number, 1); });
   return out;
 }

@@ -17,8 +17,11 @@ inline constexpr const char* kCamera =
 inline constexpr const char* kRobot =
     "simulated (simulated:PREDICTOR), scene:FILE, none, or link:HOST:PORT or classic:HOST:PORT to listen there";
 inline constexpr const char* kKey = "Key file of FYD Link, for --robot link:HOST:PORT";
-inline constexpr const char* kScene = "Scene file that is felt here, whichever robot follows the finger beside it";
-inline constexpr const char* kSurface = "Stored surface to feel with --robot none (TOML)";
+inline constexpr const char* kScene =
+    "Scene that is felt here, whichever robot follows the finger beside it: a file, or the name of one that comes "
+    "along";
+inline constexpr const char* kSurface =
+    "Stored surface to feel with --robot none: a file (TOML), or the name of one that comes along";
 inline constexpr const char* kRecord = "Record the session into this new file (.h5)";
 inline constexpr const char* kOperator = "Who operates, for the recording";
 inline constexpr const char* kSubject = "Code of the subject, never a name, for the recording";

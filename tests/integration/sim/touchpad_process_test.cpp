@@ -10,6 +10,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/device/camera/camera_source.h"
+#include "core/device/in_use.h"
 #include "core/device/touchpad/combined_touchpad.h"
 #include "core/device/touchpad/modbus_touchpad.h"
 #include "core/device/touchpad/touchpad_source.h"
@@ -201,6 +202,7 @@ TEST(TouchpadProcess, ASecondMasterIsRefusedWithAReasonAndTheFirstNotices) {
   const auto refused = second.exchange({}, Clock::now());
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().text(), HasSubstr("another program drives its motors"));
+  EXPECT_TRUE(device::isInUse(refused.error().message));
   EXPECT_TRUE(rig.exchange());
   EXPECT_GE(rig.process->electronics().figures().refused_writes, 1U);
 }
@@ -341,7 +343,9 @@ TEST(TouchpadProcess, ASerialPortBelongsToOneProgramAtATime) {
   Rig rig(Line::rtu);
   ASSERT_TRUE(rig.exchange());
   ModbusTouchpad second(*device::parseModbusAddress(rig.address), quick());
-  EXPECT_THAT(second.exchange({}, Clock::now()).error().text(), HasSubstr("in use by another program"));
+  const Error in_use = second.exchange({}, Clock::now()).error();
+  EXPECT_THAT(in_use.text(), HasSubstr("in use by another program"));
+  EXPECT_TRUE(device::isInUse(in_use.message));
   rig.touchpad.reset();
   EXPECT_TRUE(second.exchange({}, Clock::now()));
 }

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/device/in_use.h"
+
 namespace fyd::device {
 namespace {
 
@@ -32,6 +34,19 @@ TEST(PartMonitor, TellsAgeSilenceAndEndOfSilence) {
   monitor.succeeded(at(3.2));
   EXPECT_TRUE(monitor.report(at(3.2)).ok);
   EXPECT_EQ(monitor.report(at(3.2)).errors, 0U);
+}
+
+TEST(PartMonitor, KnowsThatAnotherProgramHasIt) {
+  PartMonitor monitor(Part::touchpad, {});
+  monitor.failed(about("modbus-tcp:10.0.0.7:502", phrase(kDrivenElsewhere)));
+  EXPECT_TRUE(monitor.report(at(0)).in_use);
+  monitor.failed(listed({verbatim("silent"), portInUse("/dev/ttyUSB0")}));  // of a touchpad of two halves
+  EXPECT_TRUE(monitor.report(at(0)).in_use);
+  monitor.failed(verbatim("no answer"));
+  EXPECT_FALSE(monitor.report(at(0)).in_use);
+  monitor.failed(phrase(kDrivenElsewhere));
+  monitor.succeeded(at(1));
+  EXPECT_FALSE(monitor.report(at(1)).in_use);
 }
 
 TEST(PartMonitor, CountsFailuresAndEachNewComplaintOnce) {

@@ -1,0 +1,63 @@
+#include "app/python/common.h"
+
+#include <fmt/format.h>
+
+#include "core/base/parameter.h"
+#include "core/texture/texture_parameters.h"
+
+namespace fyd::python {
+
+Hdf5Turn::Hdf5Turn() {
+  try {
+    if (!py::module_::import("sys").attr("modules").contains("h5py")) return;
+    h5py_lock_ = py::module_::import("h5py._objects").attr("phil");
+    h5py_lock_.attr("acquire")();
+  } catch (py::error_already_set& error) {  // as the interpreter ends, or another h5py: there is no such lock
+    h5py_lock_ = py::object();
+    error.discard_as_unraisable("fyd: h5py's lock");
+  }
+}
+
+Hdf5Turn::~Hdf5Turn() {
+  if (!h5py_lock_) return;
+  try {
+    h5py_lock_.attr("release")();
+  } catch (py::error_already_set& error) {
+    error.discard_as_unraisable("fyd: h5py's lock");
+  }
+}
+
+std::string shapeOf(const py::array& array) { return py::str(array.attr("shape")); }
+
+std::span<const double> vector(const Numbers& array, const char* name) {
+  if (array.ndim() != 1) throw Refusal{fmt::format("{}: shape {}; expected (n,)", name, shapeOf(array))};
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+std::span<const Vec3> vectors(const Numbers& array, const char* name) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  if (array.ndim() != 2 || array.shape(1) != 3)
+    throw Refusal{fmt::format("{}: shape {}; expected (n, 3)", name, shapeOf(array))};
+  return {reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+Vec3 point(const Numbers& array, const char* name) {
+  if (array.ndim() != 1 || array.shape(0) != 3)
+    throw Refusal{fmt::format("{}: shape {}; expected (3,)", name, shapeOf(array))};
+  return {array.at(0), array.at(1), array.at(2)};
+}
+
+py::array_t<double> arrayOf(std::vector<Vec3> values) {
+  auto* kept = new std::vector<Vec3>(std::move(values));
+  const py::capsule owner(kept, [](void* vector) { delete static_cast<std::vector<Vec3>*>(vector); });
+  return py::array_t<double>({static_cast<py::ssize_t>(kept->size()), py::ssize_t{3}},
+                             reinterpret_cast<const double*>(kept->data()), owner);
+}
+
+double checkedRate(double rate_Hz) {
+  texture::TextureParameters parameters;
+  const std::vector<Parameter> bound = bindParameters(parameters);
+  return valid(checkParameter(*findParameter(bound, "texture.sample_rate_Hz"), rate_Hz));
+}
+
+}  // namespace fyd::python

@@ -1,0 +1,111 @@
+// What every part of the Python module needs: errors as exceptions, work without the interpreter's lock, arrays.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/vec3.h"
+
+namespace fyd::python {
+
+namespace py = pybind11;
+
+/// fyd.Error: something could not be done; the text is the library's own.
+struct Failure {
+  std::string text;
+};
+/// fyd.InvalidValue, which is a fyd.Error and a ValueError: an argument cannot be taken.
+struct Refusal {
+  std::string text;
+};
+
+template <class T>
+T done(Result<T> result) {
+  if (!result) throw Failure{result.error().text()};
+  if constexpr (!std::is_void_v<T>) return std::move(*result);
+}
+template <class T>
+T valid(Result<T> result) {
+  if (!result) throw Refusal{result.error().text()};
+  if constexpr (!std::is_void_v<T>) return std::move(*result);
+}
+
+/// An object of the library that one thread at a time may use: other Python threads go on meanwhile, and those that
+/// want the same object wait for their turn.
+template <class T>
+class Shared {
+ public:
+  template <class... Arguments>
+  explicit Shared(Arguments&&... arguments) : value_(std::forward<Arguments>(arguments)...) {}
+
+  /// Runs work(T&), which touches no Python object, without the interpreter's lock.
+  template <class Work>
+  auto run(Work&& work) {
+    const py::gil_scoped_release others_go_on;
+    const std::lock_guard turn(mutex_);
+    return work(value_);
+  }
+
+ private:
+  T value_;
+  std::mutex mutex_;
+};
+
+/// While it lives, no thread of this process is inside HDF5 through h5py: both use the same library, which is not
+/// thread-safe, and each of the two locks only its own calls. Taken before the interpreter's lock is released.
+class Hdf5Turn {
+ public:
+  Hdf5Turn();
+  ~Hdf5Turn();
+  Hdf5Turn(const Hdf5Turn&) = delete;
+  Hdf5Turn& operator=(const Hdf5Turn&) = delete;
+
+ private:
+  py::object h5py_lock_;  // none: h5py is not loaded
+};
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// @param name of the argument, for the message
+[[nodiscard]] std::span<const double> vector(const Numbers& array, const char* name);
+/// Rows of three numbers. The array's own memory.
+[[nodiscard]] std::span<const Vec3> vectors(const Numbers& array, const char* name);
+[[nodiscard]] Vec3 point(const Numbers& array, const char* name);
+/// "(3, 4)"
+[[nodiscard]] std::string shapeOf(const py::array& array);
+
+/// An array of the vector's own memory, which it keeps.
+template <class T>
+[[nodiscard]] py::array_t<T> arrayOf(std::vector<T> values) {
+  auto* kept = new std::vector<T>(std::move(values));
+  const py::capsule owner(kept, [](void* vector) { delete static_cast<std::vector<T>*>(vector); });
+  return py::array_t<T>(static_cast<py::ssize_t>(kept->size()), kept->data(), owner);
+}
+/// The same, as rows of three.
+[[nodiscard]] py::array_t<double> arrayOf(std::vector<Vec3> values);
+
+/// Sample rate of textures, by its parameter's range.
+[[nodiscard]] double checkedRate(double rate_Hz);
+
+// Each part of the module.
+void addValues(py::module_& module);
+void addInputs(py::module_& module);
+void addParameters(py::module_& module);
+void addRecordings(py::module_& module);
+void addReplay(py::module_& module);
+void addSensing(py::module_& module);
+void addTextures(py::module_& module);
+void addPrediction(py::module_& module);
+void addScenes(py::module_& module);
+void addPipeline(py::module_& module);
+
+}  // namespace fyd::python

@@ -1,0 +1,166 @@
+#include "app/python/parameters.h"
+
+#include <fmt/format.h>
+
+#include "core/base/profile_text.h"
+
+namespace fyd::python {
+namespace {
+
+struct Described {
+  std::string id, name, unit, help, kind, allowed;
+  py::object minimum, maximum, initial;
+  bool live = false;
+  py::tuple choices;
+};
+
+constexpr std::array<const char*, 6> kKinds = {"real", "integer", "boolean", "choice", "list", "text"};
+
+Described describedParameter(const std::string& id) {
+  const ParameterSet fresh;
+  const Parameter& parameter = fresh.find(id);
+  Described out{.id = std::string(parameter.id),
+                .name = std::string(parameter.info.name),
+                .unit = std::string(parameter.info.unit),
+                .help = std::string(parameter.info.help),
+                .kind = kKinds.at(static_cast<std::size_t>(parameter.kind)),
+                .allowed = describeRange(parameter).text(),
+                .minimum = py::float_(parameter.info.minimum),
+                .maximum = py::float_(parameter.info.maximum),
+                .initial = valueOf(parameter),
+                .live = parameter.info.live,
+                .choices = py::tuple(parameter.choices.size())};
+  for (std::size_t i = 0; i < parameter.choices.size(); ++i) out.choices[i] = std::string(parameter.choices[i]);
+  return out;
+}
+
+void update(ParameterSet& set, const py::dict& values) {
+  // All or nothing: tried on a copy first.
+  const ParameterSet trial(set.values());
+  for (const auto& [id, value] : values) assign(trial.find(id.cast<std::string>()), value);
+  for (const auto& [id, value] : values) assign(set.find(id.cast<std::string>()), value);
+}
+
+}  // namespace
+
+const Parameter& ParameterSet::find(const std::string& id) const {
+  const Parameter* found = findParameter(bound_, id);
+  if (found == nullptr) throw Refusal{fmt::format("{}: the step has no parameter of this name", id)};
+  return *found;
+}
+
+std::string written(const py::handle& value) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (py::hasattr(value, "__iter__")) {
+    std::string out;
+    for (const auto& item : value) out += fmt::format("{}{}", out.empty() ? "" : ", ", written(item));
+    return fmt::format("[{}]", out);
+  }
+  const auto number = py::reinterpret_borrow<py::object>(value);
+  if (py::hasattr(value, "__index__")) return py::repr(py::int_(number));
+  if (py::hasattr(value, "__float__")) return py::repr(py::float_(number));
+  throw py::type_error(
+      fmt::format("{}: no number, truth value, text or list of numbers", std::string(py::repr(value))));
+}
+
+void assign(const Parameter& parameter, const py::handle& value) {
+  const bool number = py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value);
+  if (number && !py::isinstance<py::bool_>(value) &&
+      (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer)) {
+    // As a number: NaN and infinity are told as what they are.
+    parameter.set(valid(checkParameter(parameter, value.cast<double>())));
+  } else {
+    valid(assignParameter(parameter, written(value)));
+  }
+}
+
+py::object valueOf(const Parameter& parameter) {
+  switch (parameter.kind) {
+    case ParameterKind::real: return py::float_(parameter.value());
+    case ParameterKind::integer: return py::int_(static_cast<long>(parameter.value()));
+    case ParameterKind::boolean: return py::bool_(parameter.value() != 0.0);
+    case ParameterKind::choice:
+      return py::str(std::string(parameter.choices[static_cast<std::size_t>(parameter.value())]));
+    case ParameterKind::text: return py::str(parameter.text());
+    case ParameterKind::list: break;
+  }
+  py::tuple out(parameter.list().size());
+  for (std::size_t i = 0; i < parameter.list().size(); ++i) out[i] = parameter.list()[i];
+  return out;
+}
+
+pipeline::Parameters orDefaults(const ParameterSet* parameters) {
+  return parameters == nullptr ? pipeline::Parameters() : parameters->values();
+}
+
+void addParameters(py::module_& module) {
+  py::class_<Described>(module, "ParameterInfo", "What a parameter means, and what it may be.")
+      .def_readonly("id", &Described::id, "\"module.name\" [—]")
+      .def_readonly("name", &Described::name, "Short, for people; empty where it never changes live [—]")
+      .def_readonly("unit", &Described::unit, "Unit of the value; \"1\" for a plain number [—]")
+      .def_readonly("minimum", &Described::minimum, "Smallest value [in its unit]")
+      .def_readonly("maximum", &Described::maximum, "Largest value [in its unit]")
+      .def_readonly("default", &Described::initial, "Value of a new set [in its unit]")
+      .def_readonly("help", &Described::help, "One sentence [—]")
+      .def_readonly("live", &Described::live, "Whether it may change while the step renders [—]")
+      .def_readonly("choices", &Described::choices, "The words of a choice [—]")
+      .def_readonly("kind", &Described::kind, "real, integer, boolean, choice, list or text [—]")
+      .def_readonly("allowed", &Described::allowed, "What may be given, as a phrase [—]");
+
+  py::class_<ParameterSet>(
+      module, "Parameters",
+      "The step's parameters: a mapping from id (\"control.kp\") to value. Each is checked when it "
+      "is set: InvalidValue names id, value and range.")
+      .def(py::init([](const std::optional<py::dict>& values) {
+             auto out = std::make_unique<ParameterSet>();
+             if (values) update(*out, *values);
+             return out;
+           }),
+           py::arg("values") = py::none(),
+           "The defaults, and these values in their place. Units: each parameter's own.")
+      .def(
+          "__getitem__", [](const ParameterSet& set, const std::string& id) { return valueOf(set.find(id)); },
+          py::arg("id"))
+      .def(
+          "__setitem__",
+          [](ParameterSet& set, const std::string& id, const py::object& value) { assign(set.find(id), value); },
+          py::arg("id"), py::arg("value"))
+      .def(
+          "__contains__",
+          [](const ParameterSet& set, const std::string& id) { return findParameter(set.bound(), id) != nullptr; },
+          py::arg("id"))
+      .def("__len__", [](const ParameterSet& set) { return set.bound().size(); })
+      .def("__iter__", [](const py::object& set) { return py::iter(set.attr("keys")()); })
+      .def(
+          "keys",
+          [](const ParameterSet& set) {
+            std::vector<std::string> out;
+            for (const Parameter& each : set.bound()) out.emplace_back(each.id);
+            return out;
+          },
+          "Ids of all parameters, in the order of the profile. Units: none.")
+      .def("update", &update, py::arg("values"),
+           "Sets several; none of them when one is not possible. Units: each parameter's own.")
+      .def(
+          "copy", [](const ParameterSet& set) { return std::make_unique<ParameterSet>(set.values()); },
+          "A set of its own with the same values. Units: none.")
+      .def(
+          "profile", [](const ParameterSet& set) { return formatProfile(set.bound()); },
+          "All of them as the TOML text of a profile. Units: each in its comment.")
+      .def_static(
+          "from_profile",
+          [](const std::string& text, const std::string& name) {
+            auto out = std::make_unique<ParameterSet>();
+            valid(parseProfile(text, name, out->bound()));
+            return out;
+          },
+          py::arg("text"), py::arg("name") = "profile",
+          "The defaults, and in their place what a TOML text of the step's parameters says; `name` begins each "
+          "message. "
+          "Units: each parameter's own.")
+      .def_static("info", &describedParameter, py::arg("id"),
+                  "What a parameter means, and what it may be. Units: none.");
+}
+
+}  // namespace fyd::python

@@ -1,0 +1,33 @@
+// The step's parameters as Python has them.
+#pragma once
+
+#include "app/python/common.h"
+#include "core/pipeline/parameters.h"
+
+namespace fyd::python {
+
+/// A mapping from id to value; ranges, units and help are those of the descriptions.
+class ParameterSet {
+ public:
+  explicit ParameterSet(const pipeline::Parameters& values = {})
+      : values_(std::make_unique<pipeline::Parameters>(values)), bound_(bindParameters(*values_)) {}
+
+  [[nodiscard]] const pipeline::Parameters& values() const { return *values_; }
+  [[nodiscard]] const std::vector<Parameter>& bound() const { return bound_; }
+  /// @throws Refusal when there is none
+  [[nodiscard]] const Parameter& find(const std::string& id) const;
+
+ private:
+  std::unique_ptr<pipeline::Parameters> values_;  // bound_ points into it
+  std::vector<Parameter> bound_;
+};
+
+/// "2.5", "true", "dft321" or "[1, 2]", as assignParameter reads it.
+[[nodiscard]] std::string written(const py::handle& value);
+/// @throws Refusal with id, value and range
+void assign(const Parameter& parameter, const py::handle& value);
+[[nodiscard]] py::object valueOf(const Parameter& parameter);
+/// Parameters of None are the defaults.
+[[nodiscard]] pipeline::Parameters orDefaults(const ParameterSet* parameters);
+
+}  // namespace fyd::python

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""How much of the core its tests run: lines of all of it, and every branch of safety, protocols and recorder.
+
+    cmake --preset coverage && cmake --build --preset coverage && ctest --preset coverage
+    python3 tests/coverage/coverage.py build/coverage
+
+Branches that only an exception takes do not count (gcovr --exclude-throw-branches), nor do those that the compiler
+made and no source line can reach. A branch that no test takes stands in unreached.toml with the reason; one that does
+not, or a row there that fits none any more, is an error. So is a line rate below the limit.
+"""
+
+import argparse
+import collections
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tomllib
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+LEAST_LINES = 0.90  # of the core
+EVERY_BRANCH = {
+    "safety": r"core/pipeline/(safety|input_health|pipeline|pipeline_outputs|touch_motion)\.(cpp|h)",
+    "protocol": r"core/protocol/.*",
+    "recorder": r"core/recording/(writer|file)/.*|core/recording/packed_step\..*",
+}
+
+
+def counted(build):
+    """gcovr's own report, as JSON."""
+    out = build / "coverage.json"
+    run = subprocess.run(
+        ["gcovr", "--root", SOURCE, "--object-directory", build, "--filter", f"{SOURCE}/core/",
+         "--exclude-throw-branches", "--exclude-unreachable-branches", "--gcov-ignore-parse-errors", "-j", "2",
+         "--json", out, build / "core", build / "tests", build / "app"],
+        capture_output=True, text=True)
+    if run.returncode:
+        sys.exit(f"coverage.py: gcovr: {run.stderr[-2000:]}")
+    return json.loads(out.read_text())["files"]
+
+
+def main():
+    arguments = argparse.ArgumentParser(description="How much of the core its tests run")
+    arguments.add_argument("build", type=pathlib.Path)
+    arguments.add_argument("--list", metavar="PART", help="the unreached branches of a part, as rows for unreached.toml")
+    chosen = arguments.parse_args()
+    files = counted(chosen.build.resolve())
+    if not files:
+        sys.exit(f"coverage.py: {chosen.build}: nothing was counted; expected the preset coverage, built and run")
+    excused = tomllib.loads((pathlib.Path(__file__).parent / "unreached.toml").read_text()).get("unreached", [])
+    used = [False] * len(excused)
+    wrong = []
+
+    folders = collections.defaultdict(lambda: [0, 0])
+    for file in files:
+        folder = "/".join(file["file"].split("/")[:2])
+        for line in file["lines"]:
+            if line.get("gcovr/noncode"):
+                continue
+            folders[folder][0] += 1
+            folders[folder][1] += line["count"] > 0
+    print(f"{'folder':24}{'lines':>8}{'run':>8}{'%':>7}")
+    for folder, (lines, run) in sorted(folders.items()):
+        print(f"{folder:24}{lines:8}{run:8}{100 * run / lines:7.1f}")
+    lines = sum(each[0] for each in folders.values())
+    run = sum(each[1] for each in folders.values())
+    print(f"{'core':24}{lines:8}{run:8}{100 * run / lines:7.1f}")
+    if run < LEAST_LINES * lines:
+        wrong.append(f"{100 * run / lines:.1f} % of the core's lines run, expected {100 * LEAST_LINES:.0f} % at least")
+
+    print(f"\n{'part':12}{'branches':>10}{'taken':>8}{'excused':>9}{'open':>6}")
+    for part, pattern in EVERY_BRANCH.items():
+        total, taken, named, unnamed = 0, 0, 0, 0
+        for file in files:
+            if not re.fullmatch(pattern, file["file"]):
+                continue
+            text = (SOURCE / file["file"]).read_text().splitlines()
+            for line in file["lines"]:
+                branches = [b for b in line.get("branches", []) if not b.get("throw")]
+                missed = sum(b["count"] == 0 for b in branches)
+                total += len(branches)
+                taken += len(branches) - missed
+                if not missed:
+                    continue
+                words = text[line["line_number"] - 1].strip()
+                rows = [i for i, row in enumerate(excused) if row["file"] == file["file"] and row["line"] in words]
+                for i in rows:
+                    used[i] = True
+                if rows:
+                    named += missed
+                    continue
+                unnamed += missed
+                if chosen.list == part:
+                    print(f"{file['file']}:{line['line_number']}: {missed} of {len(branches)}: {words}")
+                else:
+                    wrong.append(f"{file['file']}:{line['line_number']}: {missed} of {len(branches)} branches: {words}")
+        print(f"{part:12}{total:10}{taken:8}{named:9}{unnamed:6}")
+    for row, was_used in zip(excused, used):
+        if not was_used:
+            wrong.append(f"unreached.toml: {row['file']}: '{row['line']}' fits no branch that is not taken")
+    if chosen.list:
+        return 0
+    for line in wrong:
+        print(f"WRONG {line}")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

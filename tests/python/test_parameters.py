@@ -1,0 +1,92 @@
+"""Parameters, against what the program's own `fyd params` says of them."""
+import json
+import math
+
+import numpy as np
+import pytest
+from conftest import program
+
+import fyd
+
+
+@pytest.fixture(scope="module")
+def listed():
+    return {each["id"]: each for each in json.loads(program("params", "--json").stdout)}
+
+
+def test_each_is_described_as_the_program_describes_it(listed):
+    parameters = fyd.Parameters()
+    assert len(parameters) > 100 and set(parameters) <= set(listed)
+    for name in parameters:
+        info, told = fyd.Parameters.info(name), listed[name]
+        assert (info.unit, info.help, info.live) == (told["unit"], told["help"], told["live"])
+        if "minimum" in told:
+            assert (info.minimum, info.maximum) == (told["minimum"], told["maximum"])
+        if info.kind in ("real", "integer"):
+            assert info.default == parameters[name] and info.minimum <= info.default <= info.maximum
+
+
+def test_a_value_of_each_kind_is_set_and_read():
+    parameters = fyd.Parameters({"control.kp": 2, "texture.method": "soc"})
+    assert parameters["control.kp"] == 2.0 and parameters["texture.method"] == "soc"
+    parameters["texture.frame"] = 64  # a choice among words that are numbers
+    assert parameters["texture.frame"] == "64"
+    parameters["sensing.finger_mirror"] = True
+    assert parameters["sensing.finger_mirror"] is True
+    parameters["control.kp"] = np.float64(1.5)
+    parameters["control.kp"] = np.float32(1.5)
+    assert parameters["control.kp"] == 1.5
+    kinds = {fyd.Parameters.info(name).kind: name for name in parameters}
+    lists = kinds["list"]
+    before = parameters[lists]
+    parameters[lists] = before
+    assert parameters[lists] == before and isinstance(before, tuple)
+    copy = parameters.copy()
+    copy["control.kp"] = 1.0
+    assert parameters["control.kp"] == 1.5
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, -1.0, 1e9])
+def test_what_is_not_possible_names_id_value_and_range(value):
+    parameters = fyd.Parameters()
+    before = parameters["texture.k_vib"]
+    with pytest.raises(ValueError, match=r"texture\.k_vib.*0.*10") as caught:
+        parameters["texture.k_vib"] = value
+    assert isinstance(caught.value, fyd.InvalidValue) and isinstance(caught.value, fyd.Error)
+    shown = str(caught.value).lower()
+    assert ("nan" if math.isnan(value) else "inf" if math.isinf(value) else f"= {value:.0f}:") in shown
+    assert parameters["texture.k_vib"] == before
+
+
+def test_wrong_kinds_are_told():
+    parameters = fyd.Parameters()
+    with pytest.raises(fyd.InvalidValue, match="sensing.roi_x_px"):
+        parameters["sensing.roi_x_px"] = 1.5
+    with pytest.raises(fyd.InvalidValue, match="texture.method.*dft321"):
+        parameters["texture.method"] = "everything"
+    with pytest.raises(fyd.InvalidValue, match="sensing.finger_mirror"):
+        parameters["sensing.finger_mirror"] = 3
+    with pytest.raises(fyd.InvalidValue, match="control.kp"):
+        parameters["control.kp"] = [1, 2]
+    with pytest.raises(TypeError):
+        parameters["control.kp"] = None
+    with pytest.raises(fyd.InvalidValue, match="no.such"):
+        parameters["no.such"] = 1
+    with pytest.raises(fyd.InvalidValue, match="no.such"):
+        fyd.Parameters({"no.such": 1})
+
+
+def test_several_are_set_together_or_not_at_all():
+    parameters = fyd.Parameters()
+    before = parameters["control.kp"]
+    with pytest.raises(fyd.InvalidValue, match="texture.k_vib"):
+        parameters.update({"control.kp": before + 1, "texture.k_vib": 11})
+    assert parameters["control.kp"] == before
+
+
+def test_a_profile_is_read_back_equal():
+    parameters = fyd.Parameters({"control.kp": 2.25, "texture.method": "single"})
+    again = fyd.Parameters.from_profile(parameters.profile())
+    assert all(again[name] == parameters[name] for name in parameters)
+    with pytest.raises(fyd.InvalidValue, match=r"mine.toml:2.*control\.kp"):
+        fyd.Parameters.from_profile("[control]\nkp = 1e9\n", "mine.toml")

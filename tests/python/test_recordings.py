@@ -1,0 +1,273 @@
+"""A recording read by the module and by h5py, which knows nothing of it: the same to the bit."""
+import struct
+import subprocess
+import sys
+import zlib
+
+import h5py
+import numpy as np
+import pytest
+from conftest import GOLDEN
+
+import fyd
+
+
+def read_by_h5py(path, table):
+    with h5py.File(path, "r") as file:
+        units = [unit.decode() for unit in file[table].attrs["units"]]
+        rows = file[table][:]
+        return rows, dict(zip(rows.dtype.names, units))
+
+
+def assert_same_bits(ours, theirs):
+    """Flags are bool here and a byte there; every other type is the same."""
+    assert ours.dtype == theirs.dtype or (ours.dtype == bool and theirs.dtype == np.uint8)
+    assert ours.tobytes() == np.ascontiguousarray(theirs).tobytes()
+
+
+def assert_reads_as_h5py(path):
+    theirs, units = read_by_h5py(path, "telemetry")
+    with fyd.open(path) as recording:
+        telemetry = recording.telemetry
+        assert set(theirs.dtype.names) <= set(telemetry)
+        for name in theirs.dtype.names:
+            assert_same_bits(telemetry[name], theirs[name])
+            assert telemetry.units[name] == units[name]
+        assert telemetry.rows == len(theirs) == recording.info.rows
+        together = fyd.open(path).telemetry.load()
+        for name in theirs.dtype.names:
+            assert_same_bits(together[name], theirs[name])
+
+
+def test_a_golden_recording_reads_as_h5py_reads_it(golden):
+    assert_reads_as_h5py(golden)
+
+
+def test_a_fresh_recording_reads_as_h5py_reads_it(session):
+    assert_reads_as_h5py(session)
+    theirs, _ = read_by_h5py(session, "telemetry")
+    with fyd.open(session) as recording:
+        assert set(theirs.dtype.names) == set(recording.telemetry)  # nothing of today's is missing in it
+        assert recording.info.operator == "Zoë"
+        assert recording.info.missing_columns == []
+
+
+def test_events_are_those_of_the_file(golden):
+    theirs, units = read_by_h5py(golden, "events")
+    with fyd.open(golden) as recording:
+        columns = recording.event_columns
+        assert len(theirs) > 0
+        for name in theirs.dtype.names:
+            if name == "index":  # counted as this program counts its parameters
+                continue
+            assert_same_bits(columns[name], theirs[name])
+            assert columns.units[name] == units[name]
+        assert [int(event.kind) for event in recording.events] == theirs["kind"].tolist()
+        assert [event.when_ns for event in recording.events] == theirs["when_ns"].tolist()
+
+
+def test_notes_are_those_of_the_file():
+    with h5py.File(GOLDEN / "changes.h5") as file:
+        index = file["notes/index"][:]
+        text = file["notes/text"][:].tobytes()
+        started = file.attrs["started_ns"]
+    with fyd.open(GOLDEN / "changes.h5") as recording:
+        notes = recording.notes
+    assert len(notes) == len(index) > 1
+    for note, row in zip(notes, index):
+        assert note.text == text[row["text_start"]:row["text_start"] + row["text_bytes"]].decode()
+        assert int(note.kind) == row["kind"]
+        assert note.time_s == pytest.approx((int(row["when_ns"]) - int(started)) * 1e-9, abs=1e-9)
+    assert {note.kind for note in notes} == {fyd.NoteKind.note, fyd.NoteKind.bookmark}
+
+
+def test_the_link_is_that_of_the_file(session):
+    theirs, units = read_by_h5py(session, "link")
+    with fyd.open(session) as recording:
+        for name in theirs.dtype.names:
+            assert_same_bits(recording.link[name], theirs[name])
+            assert recording.link.units[name] == units[name]
+
+
+def test_what_is_asked_for_twice_is_the_same_memory(classic):
+    first, second = classic.telemetry["force_N"], classic.telemetry["force_N"]
+    assert np.shares_memory(first, second)
+    assert first.flags.c_contiguous and not first.flags.writeable
+    with pytest.raises(ValueError):
+        first[0] = 1.0
+
+
+def test_arrays_stay_when_the_file_is_closed():
+    with fyd.open(GOLDEN / "classic.h5") as recording:
+        force = recording.telemetry["force_N"]
+        before = force.copy()
+    assert np.array_equal(force, before, equal_nan=True)
+    with pytest.raises(fyd.Error, match="classic.h5: is closed"):
+        _ = recording.telemetry["finger_x_mm"]
+    recording.close()  # once more does nothing
+
+
+def test_what_is_open_at_the_end_says_nothing():
+    program = f"import h5py, fyd; open = fyd.open({str(GOLDEN / 'classic.h5')!r}); open.telemetry['force_N']"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_a_flag_selects_rows(classic):
+    contact = classic.telemetry["contact"]
+    assert contact.dtype == bool
+    assert len(classic.telemetry["force_N"][contact]) == np.count_nonzero(contact) > 0
+
+
+def test_time_counts_from_the_start(classic):
+    time_s = classic.time_s
+    assert time_s[0] == 0.0
+    assert time_s[-1] == pytest.approx(classic.info.duration_s, abs=1e-9)
+    row = classic.row_at(0.5)
+    assert row == np.searchsorted(time_s, 0.5)
+    assert classic.row_at(1e9) == classic.info.rows
+    with pytest.raises(fyd.Error, match="NaN"):
+        classic.row_at(float("nan"))
+
+
+def test_an_overview_loses_no_spike(classic):
+    touch = classic.telemetry["touch_z_mm"]
+    start_s, low, high = classic.overview("touch_z_mm", 0.0, 10.0, 20)
+    assert 0 < len(start_s) <= 20
+    assert low.min() == touch.min() and high.max() == touch.max()
+
+
+def test_a_step_has_its_inputs(classic):
+    with h5py.File(GOLDEN / "classic.h5") as file:
+        steps, bridge = file["inputs/steps"][:], file["inputs/bridge"][:]
+    row = 700
+    step = classic.step(row)
+    assert step.inputs.now_ns == steps["now_ns"][row]
+    assert step.inputs.bridge.value_mV_per_V == bridge["value_mV_per_V"][steps["bridge_row"][row]]
+    assert step.telemetry.force_N == classic.telemetry["force_N"][row]
+    assert step.telemetry.units["force_N"] == "N"
+
+
+# -- pictures ------------------------------------------------------------------------------------------------------
+
+def decode_png(data):
+    """Grey, 8 bits, not interlaced [RFC 2083], written here."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at, packed = 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, colour, _, _, interlaced = struct.unpack(">IIBBBBB", body)
+            assert (depth, colour, interlaced) == (8, 0, 0)
+        packed += body if kind == b"IDAT" else b""
+        at += 12 + length
+    raw, out = zlib.decompress(packed), np.zeros((height, width), np.int64)
+    for y in range(height):
+        how, line = raw[y * (width + 1)], raw[y * (width + 1) + 1:(y + 1) * (width + 1)]
+        for x, byte in enumerate(line):
+            left = out[y, x - 1] if x else 0
+            up = out[y - 1, x] if y else 0
+            corner = out[y - 1, x - 1] if x and y else 0
+            paeth = min((left, up, corner), key=lambda each: abs(left + up - corner - each))
+            out[y, x] = (byte + (0, left, up, (left + up) // 2, paeth)[how]) % 256
+    return out.astype(np.uint8)
+
+
+def test_a_picture_is_the_file_s_to_the_pixel(classic):
+    with h5py.File(GOLDEN / "classic.h5") as file:
+        index, stored = file["camera/index"][5], file["camera/bytes"]
+        start = int(index["bytes_start"]) + int(index["whole_bytes"])
+        region = decode_png(stored[start:start + int(index["region_bytes"])].tobytes())
+    picture = classic.picture(5)
+    assert np.array_equal(picture.region, region)
+    x, y, width, height = picture.region_px
+    assert np.array_equal(picture.whole[y:y + height, x:x + width], region)
+    assert (width, height) == (index["region_width_px"], index["region_height_px"])
+    assert picture.finger.x_mm == index["x_mm"]
+    assert classic.picture_at(picture.time_s).number == picture.number
+    with pytest.raises(fyd.Error, match="1000"):
+        classic.picture(1000)
+
+
+# -- what is no recording ------------------------------------------------------------------------------------------
+
+def test_a_file_that_is_not_there_is_named(tmp_path):
+    with pytest.raises(fyd.Error, match="nowhere.h5"):
+        fyd.open(tmp_path / "nowhere.h5")
+
+
+def test_what_is_no_recording_is_named(tmp_path):
+    text = tmp_path / "letter.h5"
+    text.write_text("Dear reader")
+    with pytest.raises(fyd.Error, match="letter.h5"):
+        fyd.open(text)
+    other = tmp_path / "other.h5"
+    with h5py.File(other, "w") as file:
+        file["numbers"] = np.arange(10)
+    with pytest.raises(fyd.Error, match="other.h5"):
+        fyd.open(other)
+    with pytest.raises(fyd.Error):
+        fyd.open(tmp_path)
+
+
+@pytest.mark.parametrize("share", [0.0, 0.1, 0.5, 0.9, 0.999])
+def test_a_truncated_file_gives_an_error_or_right_values(tmp_path, share):
+    whole = (GOLDEN / "classic.h5").read_bytes()
+    cut = tmp_path / "cut.h5"
+    cut.write_bytes(whole[:int(share * len(whole))])
+    theirs, _ = read_by_h5py(GOLDEN / "classic.h5", "telemetry")
+    try:
+        with fyd.open(cut) as recording:
+            force = recording.telemetry["force_N"]
+    except fyd.Error as error:
+        assert "cut.h5" in str(error)
+    else:
+        assert_same_bits(force, theirs["force_N"][:len(force)])
+
+
+def test_a_flipped_bit_in_the_telemetry_is_an_error(tmp_path):
+    with h5py.File(GOLDEN / "classic.h5") as file:
+        chunk = file["telemetry"].id.read_direct_chunk((500,))[1]
+    damaged = bytearray((GOLDEN / "classic.h5").read_bytes())
+    assert damaged.count(chunk) == 1
+    damaged[damaged.find(chunk) + len(chunk) // 2] ^= 4
+    path = tmp_path / "flipped.h5"
+    path.write_bytes(damaged)
+    recording = fyd.open(path)
+    with pytest.raises(fyd.Error, match="flipped.h5.*telemetry"):
+        _ = recording.telemetry["force_N"]
+    with pytest.raises(fyd.Error, match="flipped.h5.*telemetry"):
+        recording.telemetry.load()
+
+
+def test_what_a_killed_recorder_left_is_read(tmp_path):
+    path = tmp_path / "crashed.h5.partial"
+    path.write_bytes((GOLDEN / "crashed.h5.partial").read_bytes())
+    with fyd.open(path) as recording:
+        assert recording.info.wholeness == fyd.Wholeness.crashed
+        assert recording.info.rows > 100
+        assert np.all(np.diff(recording.telemetry["step"].astype(np.int64)) == 1)
+
+
+def test_a_column_that_is_not_there_is_a_key_error(classic):
+    with pytest.raises(KeyError, match="force_lbs"):
+        _ = classic.telemetry["force_lbs"]
+    assert "force_lbs" not in classic.telemetry and "force_N" in classic.telemetry
+    with pytest.raises(fyd.Error, match="1225"):
+        classic.step(1225)
+
+
+def test_a_column_goes_only_into_an_array_that_fits(classic):
+    file = classic._file
+    rows = classic.info.rows
+    file.read_into(["force_N"], 0, [np.empty(rows)])
+    frozen = np.empty(rows)
+    frozen.flags.writeable = False
+    for wrong in (np.empty(rows, np.float32), np.empty((rows, 1)), np.empty(2 * rows)[::2], frozen):
+        with pytest.raises(fyd.InvalidValue, match="force_N"):
+            file.read_into(["force_N"], 0, [wrong])
+    with pytest.raises(fyd.Error):
+        file.read_into(["force_N"], 1, [np.empty(rows)])
+    with pytest.raises(fyd.Error):
+        file.read_into(["force_N"], 2**64 - 1, [np.empty(rows)])

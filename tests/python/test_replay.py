@@ -1,0 +1,164 @@
+"""Replay, what-if, and the step itself, against what h5py reads of the same recording."""
+import h5py
+import numpy as np
+import pytest
+from conftest import GOLDEN
+
+import fyd
+
+
+def rows_of(path, table="telemetry"):
+    with h5py.File(path) as file:
+        return file[table][:]
+
+
+def test_a_replay_is_the_recording_bit_for_bit(golden):
+    recorded = rows_of(golden)
+    with fyd.open(golden) as recording:
+        result = recording.replay()
+        assert result.identical and result.different == 0 and not result.what_if
+        assert result.steps == result.of == len(recorded)
+        for name in set(recorded.dtype.names) - {part.split()[-1] for part in recording.info.missing_columns}:
+            assert result.telemetry[name].tobytes() == recorded[name].tobytes(), name
+
+
+def test_the_replayed_columns_are_views(classic):
+    telemetry = fyd.replay(classic).telemetry
+    force, depth = telemetry["force_N"], telemetry["indentation_mm"]
+    assert force.strides == depth.strides and force.strides[0] > force.itemsize  # of the same rows
+    assert force.base is not None and not force.flags.writeable
+    del telemetry, depth
+    assert np.isfinite(force).any()  # it keeps its memory
+
+
+def test_another_gain_changes_the_steps(classic):
+    result = classic.replay({"control.kp": 3})
+    assert result.what_if and not result.identical and result.different > 0
+    assert not np.array_equal(result.telemetry["stretch_reference_deg"], classic.telemetry["stretch_reference_deg"])
+    # It acts on what is commanded; what was measured is as recorded.
+    assert np.array_equal(result.telemetry["force_N"], classic.telemetry["force_N"], equal_nan=True)
+    assert classic.replay({"control.kp": 3}, keep_telemetry=False).telemetry == {}
+    same = classic.replay({"control.kp": classic.parameters["control.kp"]})
+    assert np.array_equal(same.telemetry["stretch_reference_deg"], classic.telemetry["stretch_reference_deg"])
+
+
+def test_a_closed_loop_needs_touches_that_identify_the_cloth(classic):
+    with pytest.raises(fyd.Error, match=r"closed loop.*1\.22 s; expected at least 100 over 2 s") as caught:
+        classic.replay({"control.kp": 3}, closed_loop=True)
+    assert not isinstance(caught.value, fyd.InvalidValue)  # the setting is right, the recording too short
+
+
+@pytest.mark.parametrize("settings, words", [({"control.kp": float("nan")}, "control.kp"),
+                                             ({"control.kp": float("inf")}, "control.kp"),
+                                             ({"control.kp": "many"}, "control.kp.*many"),
+                                             ({"texture.method": "sum"}, "texture.method.*sum.*dft321"),
+                                             ({"control.no_such": 1}, "control.no_such"),
+                                             ({"sim.cloth": "ideal"}, "sim.cloth")])
+def test_a_wrong_setting_is_named(classic, settings, words):
+    with pytest.raises(fyd.InvalidValue, match=words):
+        classic.replay(settings)
+    assert classic.replay().identical
+
+
+def test_the_step_gives_what_was_recorded(golden):
+    """Step by step, from the state before the first row."""
+    recorded = rows_of(golden)
+    with fyd.open(golden) as recording:
+        missing = {part.split()[-1] for part in recording.info.missing_columns}
+        pipeline = recording.pipeline()
+        for row in range(0, 1200):
+            out = pipeline.step(recording.step(row).inputs)
+            if row % 50 == 0:
+                for name, value in out.telemetry.as_dict().items():
+                    if name not in missing:
+                        assert np.array_equal(float(value), float(recorded[name][row]), equal_nan=True), (row, name)
+
+
+def test_the_step_is_pure(classic):
+    """From the same state and inputs comes the same, whatever was stepped between."""
+    pipeline = classic.pipeline()
+    for row in range(600):
+        pipeline.step(classic.step(row).inputs)
+    state = pipeline.save_state()
+    inputs = classic.step(600).inputs
+    first = repr(pipeline.step(inputs).telemetry)
+    for row in range(601, 700):
+        pipeline.step(classic.step(row).inputs)
+    assert repr(pipeline.step(inputs, state).telemetry) == first
+    other = classic.pipeline()
+    assert repr(other.step(inputs, state).telemetry) == first
+
+
+def test_a_state_that_is_none_is_refused_and_changes_nothing(classic):
+    pipeline = classic.pipeline()
+    state = pipeline.save_state()
+    for wrong in (b"", b"once upon a time", state[:-1], state + b"\0", state[:200] + b"\x55" + state[201:]):
+        with pytest.raises(fyd.Error):
+            pipeline.restore_state(wrong)
+        with pytest.raises(fyd.Error):
+            pipeline.step(fyd.Inputs(), wrong)
+    assert pipeline.save_state() == state
+    with pytest.raises(fyd.Error):
+        fyd.Pipeline(fyd.Parameters({"texture.sample_rate_Hz": 500})).restore_state(state)
+
+
+def test_a_session_by_hand_becomes_ready_and_active():
+    """Inputs made here, not read: sensors live, a finger that does not press, the target by hand."""
+    pipeline = fyd.Pipeline()
+    inputs = fyd.Inputs(missed_cycles=0)
+    states = []
+    for step in range(1, 400):
+        inputs.now_ns = step * 1_000_000
+        if step % 10 == 1:
+            inputs.finger.set(inputs.now_ns, contact=False, reason=fyd.FingerReason.no_finger)
+            inputs.ir.set(inputs.now_ns, counts=[1500, 1500, 1500])
+            inputs.bridge.set(inputs.now_ns, value_mV_per_V=0.02)
+            inputs.motors.set(inputs.now_ns, encoder_counts=(0, 0))
+        action = {20: fyd.OperatorAction.target_by_hand, 200: fyd.OperatorAction.arm, 300: fyd.OperatorAction.stop}.get(step)
+        inputs.commands = [] if action is None else [fyd.OperatorCommand(action=action, value=0.6)]
+        out = pipeline.step(inputs)
+        states.append(out.telemetry.state)
+        if step == 10:
+            assert fyd.Fault.no_target in out.faults or fyd.Fault.robot_waiting in out.faults
+        if action == fyd.OperatorAction.arm:
+            assert out.faults == [], [fyd.fault_text(fault) for fault in out.faults]
+    assert list(dict.fromkeys(states)) == [fyd.SafetyState.disconnected, fyd.SafetyState.connected, fyd.SafetyState.ready,
+                                           fyd.SafetyState.active, fyd.SafetyState.stopped] or \
+        list(dict.fromkeys(states)) == [fyd.SafetyState.connected, fyd.SafetyState.ready, fyd.SafetyState.active,
+                                        fyd.SafetyState.stopped]
+
+
+def test_no_command_is_out_of_bounds_whatever_comes_in():
+    pipeline = fyd.Pipeline()
+    inputs = fyd.Inputs()
+    hostile = [float("nan"), float("inf"), -float("inf"), 1e308, -1e308]
+    for step in range(500):
+        value = hostile[step % len(hostile)]
+        inputs.now_ns = step * 1_000_000
+        inputs.finger.set(inputs.now_ns, contact=True, x_mm=value, y_mm=value, area_px=value,
+                          reason=fyd.FingerReason.found)
+        inputs.bridge.set(inputs.now_ns, value_mV_per_V=value)
+        inputs.robot_state.set(inputs.now_ns, stiffness_N_per_mm=value, x_mm=value)
+        inputs.accelerations = [fyd.AccelerationSample(taken_ns=inputs.now_ns, x_g=value, y_g=value, z_g=value)]
+        out = pipeline.step(inputs)
+        assert all(np.isfinite(out.touch_mm)) and np.isfinite(out.telemetry.t_s)
+        assert all(abs(duty) <= 100 for duty in out.motors.vibration_duty_percent)
+
+
+def test_inputs_of_a_wrong_type_or_number_are_named():
+    inputs = fyd.Inputs()
+    with pytest.raises(TypeError, match="x_mm.*'here'"):
+        inputs.finger.x_mm = "here"
+    with pytest.raises(TypeError, match="x_inch.*x_mm"):
+        inputs.finger.set(0, x_inch=1)
+    with pytest.raises(TypeError, match="now_ns"):
+        fyd.Inputs(now_ns=1.5)
+    with pytest.raises(fyd.InvalidValue, match="counts: 9 items; at most 8"):
+        inputs.ir.counts = [1] * 9
+    with pytest.raises(fyd.InvalidValue, match="encoder_counts: 3 items; expected 2"):
+        inputs.motors.encoder_counts = [1, 2, 3]
+    with pytest.raises(TypeError, match="encoder_counts"):
+        inputs.motors.encoder_counts = [70_000, 0]
+    with pytest.raises(fyd.InvalidValue, match="commands: 17 items; at most 16"):
+        inputs.commands = [fyd.OperatorCommand()] * 17
+    assert inputs.ir.counts == () and inputs.commands == []
