@@ -277,10 +277,13 @@ Table bench_controller() {
       "the cloth's true stiffness where the finger is. Settling: into ±5 % of the target for good. Error: over the "
       "last "
       "quarter, in % of the target. At a stop: of the stretch, though the target is in reach.",
-      "ideal: 6 mm deep in the middle, the sensing mode that is right there; 8 s, seeds 1…10. Monte-Carlo: cloth ±30 "
-      "%, "
-      "target 0.45…0.80 N/mm (some out of reach), noise 0…3 times, dead time of every sensor 0…100 ms, motor friction "
-      "0…20 % duty; 4 s.",
+      fmt::format("ideal: 6 mm deep in the middle, the sensing mode that is right there; 8 s, seeds 1…{}. Monte-Carlo: "
+                  "cloth ±30 "
+                  "%, "
+                  "target 0.45…0.80 N/mm (some out of reach), noise 0…3 times, dead time of every sensor 0…100 ms, "
+                  "motor friction "
+                  "0…20 % duty; 4 s.",
+                  seeds()),
       "membrane, rollers: solved in finite strain; targets are what the cloth gives at 30, 55 and 80° of stretch at "
       "that "
       "place and depth; 6 s. Monte-Carlo: sphere, capsule and disc in turn, anywhere on the cloth, 2…7 mm deep, the "
