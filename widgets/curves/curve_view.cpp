@@ -94,6 +94,14 @@ void CurveView::arrangeBar(bool narrow) {
   follow_button_->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
   time_field_->setVisible(!narrow || asking_);
   for (QAbstractButton* span : spans_->buttons()) span->setVisible(!narrow || !asking_);
+  bar_->invalidate();  // what is hidden tells the outer layout only
+}
+
+bool CurveView::event(QEvent* event) {
+  const bool out = QWidget::event(event);
+  // Only a styled button knows its size.
+  if (event->type() == QEvent::Polish || event->type() == QEvent::StyleChange) measureBar();
+  return out;
 }
 
 void CurveView::resizeEvent(QResizeEvent* event) {
