@@ -11,7 +11,6 @@
 #include "core/calibration/fit/least_squares.h"
 #include "core/calibration/fit/polynomial_basis.h"
 #include "core/calibration/load_cell_calibration.h"
-#include "core/sensing/cloth_plane.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/ir_distance.h"
 #include "core/sensing/stiffness_estimator.h"
@@ -116,46 +115,6 @@ HardCase stiffnessOfALiftedFinger() {
   return out;
 }
 
-HardCase planeFarFromTheOrigin() {
-  // The three sensors in the coordinates of a survey, 500 km from its origin.
-  constexpr double kFar_mm = 5e8;
-  const auto stored = [](double mm) { return (mm + kFar_mm) - kFar_mm; };  // what is left of it there
-  const std::array<std::array<double, 2>, 3> at = {
-      {{stored(-22.3), stored(-3.1)}, {stored(0.2), stored(27.4)}, {stored(22.6), stored(-2.9)}}};
-  const double x = stored(10.7), y = stored(5.3);
-  const auto area = [](auto ax, auto ay, auto bx, auto by, auto cx, auto cy) {
-    return ax * (by - cy) + bx * (cy - ay) + cx * (ay - by);  // Cramer's rule, by the coordinates as they are
-  };
-  std::array<sensing::SensorPosition, 3> sensors{};
-  for (std::size_t i = 0; i < 3; ++i) sensors[i] = {at[i][0] + kFar_mm, at[i][1] + kFar_mm};
-  sensing::ClothPlane plane;
-  const bool solved = plane.solve(sensors, 0b111, 20.0);
-  const auto ours = plane.weightsAt(x + kFar_mm, y + kFar_mm);
-  HardCase out{.name = "the plane through three sensors that lie 500 km from the origin: weights",
-               .naive = "Cramer's rule on the coordinates",
-               .ours = "about the sensors' mean (`sensing::ClothPlane`)",
-               .truth = "long double about the sensors' middle",
-               .unit = "",
-               .at_most = 1e-12};
-  if (!solved) out.our_error = kNotFinite;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& a = at[(i + 1) % 3];
-    const auto& b = at[(i + 2) % 3];
-    const auto truth = static_cast<double>(
-        area(static_cast<long double>(x), static_cast<long double>(y), static_cast<long double>(a[0]),
-             static_cast<long double>(a[1]), static_cast<long double>(b[0]), static_cast<long double>(b[1])) /
-        area(static_cast<long double>(at[i][0]), static_cast<long double>(at[i][1]), static_cast<long double>(a[0]),
-             static_cast<long double>(a[1]), static_cast<long double>(b[0]), static_cast<long double>(b[1])));
-    const sensing::SensorPosition &p = sensors[i], &q = sensors[(i + 1) % 3], &r = sensors[(i + 2) % 3];
-    const double fx = x + kFar_mm, fy = y + kFar_mm;
-    const double naive =
-        area(fx, fy, q.x_mm, q.y_mm, r.x_mm, r.y_mm) / area(p.x_mm, p.y_mm, q.x_mm, q.y_mm, r.x_mm, r.y_mm);
-    out.naive_error = std::max(out.naive_error, std::isfinite(naive) ? std::abs(naive - truth) : kNotFinite);
-    out.our_error = std::max(out.our_error, std::abs(ours.weight[i] - truth));
-  }
-  return out;
-}
-
 HardCase pictureWithoutContrast() {
   // Every pixel is equal: the printed σ = (max − min)/5 is 0.
   const std::vector<std::uint8_t> grey(320 * 240, 100);
@@ -199,8 +158,8 @@ HardCase encoderOverItsEnd() {
 }  // namespace
 
 std::vector<HardCase> hardCasesOfSensing() {
-  return {lineFarFromZero(),       quinticOverAFewCodes(),   distanceBeyondTheSpan(), stiffnessOfALiftedFinger(),
-          planeFarFromTheOrigin(), pictureWithoutContrast(), encoderOverItsEnd()};
+  return {lineFarFromZero(),          quinticOverAFewCodes(),   distanceBeyondTheSpan(),
+          stiffnessOfALiftedFinger(), pictureWithoutContrast(), encoderOverItsEnd()};
 }
 
 }  // namespace fyd::bench
