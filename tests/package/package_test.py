@@ -293,7 +293,7 @@ class Running(unittest.TestCase):
         fyd = ALL["fyd"].root / PROGRAMS["fyd"]
         with tempfile.TemporaryDirectory() as folder:
             self.assertIn("palpation", run(fyd, "scene", "explain", "echography", cwd=folder))
-            self.assertIn("wood", run(fyd, "texture", "play", "wood", "--speed", "40", "--force", "1", "-o", "out.csv", cwd=folder))
+            self.assertIn("Wood", run(fyd, "texture", "play", "wood", "--speed", "40", "--force", "1", "-o", "out.csv", cwd=folder))
             with self.assertRaisesRegex(AssertionError, "nothing_like_this: cannot be read"):
                 run(fyd, "scene", "explain", "nothing_like_this", cwd=folder)
 

@@ -93,7 +93,17 @@ void CurveView::arrangeBar(bool narrow) {
   narrow_ = narrow;
   follow_button_->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
   time_field_->setVisible(!narrow || asking_);
-  for (QAbstractButton* span : spans_->buttons()) span->setVisible(!narrow || !asking_);
+  // The shortest has no room there; the wheel reaches it.
+  for (QAbstractButton* span : spans_->buttons())
+    span->setVisible(!narrow || (!asking_ && span != spans_->buttons().front()));
+  bar_->invalidate();  // what is hidden tells the outer layout only
+}
+
+bool CurveView::event(QEvent* event) {
+  const bool out = QWidget::event(event);
+  // Only a styled button knows its size.
+  if (event->type() == QEvent::Polish || event->type() == QEvent::StyleChange) measureBar();
+  return out;
 }
 
 void CurveView::resizeEvent(QResizeEvent* event) {

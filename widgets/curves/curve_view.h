@@ -59,6 +59,7 @@ class CurveView : public QWidget {
   void drawn();  ///< the curves were drawn with all samples appended so far
 
  protected:
+  bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
