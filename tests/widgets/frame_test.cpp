@@ -139,30 +139,6 @@ class FrameTest : public QObject {
     WAIT_EQUAL(camera->width(), before);
   }
 
-  void besideAPanelTheTuningIsWholeAndTheFieldForATimeComesWhenAskedFor() {
-    Fixture f;
-    f.window->resize(1280, 720);
-    for (const char* panel : {"link", "recording"}) {
-      f.window->openPanels({QLatin1String(panel)});
-      QTest::qWait(200);
-      const QWidget* tuning = f.window->operate()->tuning();
-      const int right = tuning->mapTo(f.window->frame(), QPoint(tuning->width(), 0)).x();
-      const QWidget* shown = f.window->frame()->panelArea()->findChild<QDockWidget*>(QLatin1String(panel));
-      QVERIFY2(right <= shown->mapTo(f.window->frame(), QPoint(0, 0)).x(),
-               qPrintable(QStringLiteral("%1: to %2").arg(QLatin1String(panel)).arg(right)));
-    }
-    widgets::TimeField* field = f.window->operate()->curves()->timeField();
-    QVERIFY(!field->isVisible());
-    f.window->commands().action(QStringLiteral("curves.go_to"))->trigger();
-    QVERIFY(field->isVisible() && field->hasFocus());
-    f.window->operate()->curves()->setFocus();
-    QVERIFY(!field->isVisible());
-    for (auto* panel : f.window->frame()->panelArea()->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
-      panel->hide();
-    }
-    WAIT_FOR(field->isVisible());
-  }
-
   void aWidthDrawnByHandIsLeftAlone() {
     Fixture f;
     auto* area = f.window->operate()->findChild<QMainWindow*>();

@@ -229,7 +229,7 @@ class LinkTest : public QObject {
     const int first = parts.place(QStringLiteral("First")).width();
     parts.resize(needed + 100, 24);
     QVERIFY(parts.place(QStringLiteral("Third")).right() <= parts.width());
-    QVERIFY2(parts.place(QStringLiteral("Second")).width() > parts.width() / 2,
+    QVERIFY2(parts.place(QStringLiteral("Second")).width() > parts.place(QStringLiteral("First")).width(),
              qPrintable(QString::number(parts.place(QStringLiteral("Second")).width())));
     QVERIFY(parts.place(QStringLiteral("First")).width() <= first);
     parts.resize(100, 24);  // too little for any: alike

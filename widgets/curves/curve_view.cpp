@@ -49,7 +49,6 @@ CurveView::CurveView(QWidget* parent)
   redraw_timer_.start(kRedraw_ms);
   numeral_timer_.start(kNumerals_ms);
   sayFollowing();
-  measureBar();
 }
 
 void CurveView::addStrips() {
@@ -76,55 +75,7 @@ void CurveView::addStrips() {
   }
 }
 
-void CurveView::addButton(QToolButton* button) {
-  bar_->insertWidget(2, button);
-  measureBar();
-}
-
-void CurveView::measureBar() {
-  arrangeBar(false);
-  roomy_px_ = minimumSizeHint().width();
-  arrangeBar(true);
-  setMinimumWidth(minimumSizeHint().width());
-  arrangeBar(width() < roomy_px_);
-}
-
-void CurveView::arrangeBar(bool narrow) {
-  narrow_ = narrow;
-  follow_button_->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
-  time_field_->setVisible(!narrow || asking_);
-  // The shortest has no room there; the wheel reaches it.
-  for (QAbstractButton* span : spans_->buttons())
-    span->setVisible(!narrow || (!asking_ && span != spans_->buttons().front()));
-  bar_->invalidate();  // what is hidden tells the outer layout only
-}
-
-bool CurveView::event(QEvent* event) {
-  const bool out = QWidget::event(event);
-  // Only a styled button knows its size.
-  if (event->type() == QEvent::Polish || event->type() == QEvent::StyleChange) measureBar();
-  return out;
-}
-
-void CurveView::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  const bool narrow = width() < roomy_px_;
-  if (narrow != narrow_) arrangeBar(narrow);
-}
-
-void CurveView::askForTime() {
-  asking_ = true;
-  arrangeBar(narrow_);
-  time_field_->setFocus();
-}
-
-bool CurveView::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == time_field_ && event->type() == QEvent::FocusOut && asking_) {
-    asking_ = false;
-    arrangeBar(narrow_);
-  }
-  return QWidget::eventFilter(watched, event);
-}
+void CurveView::addButton(QToolButton* button) { bar_->insertWidget(2, button); }
 
 void CurveView::buildBar(QVBoxLayout* layout) {
   auto* bar = bar_ = new QHBoxLayout;
@@ -142,7 +93,6 @@ void CurveView::buildBar(QVBoxLayout* layout) {
   time_field_ = new TimeField(this);
   time_field_->setSpan([this] { return std::pair(buffer_.firstTime_s(), buffer_.lastTime_s()); });
   connect(time_field_, &TimeField::asked, this, &CurveView::goTo);
-  time_field_->installEventFilter(this);
   bar->addWidget(time_field_);
   spans_ = new QButtonGroup(this);
   for (const double span_s : kSpans_s) {
@@ -264,7 +214,6 @@ void CurveView::sayFollowing() {
   follow_button_->setProperty("role", now ? "" : "warning");  // visible also where the text does not fit
   restyle(*follow_button_);
   follow_button_->setText(now ? tr("Pause") : tr("Follow"));
-  follow_button_->setAccessibleName(follow_button_->text());  // a narrow bar shows the sign alone
   follow_button_->setIcon(icon(now ? QStringLiteral("pause") : QStringLiteral("follow")));
   follow_button_->setToolTip(now ? tr("Hold the picture still; measuring goes on (Space)")
                                  : tr("Follow the newest values (F)"));

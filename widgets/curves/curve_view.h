@@ -36,8 +36,6 @@ class CurveView : public QWidget {
   [[nodiscard]] TimeField* timeField() const { return time_field_; }
   /// In the bar, before the lengths of the window.
   void addButton(QToolButton* button);
-  /// Puts the focus into the field for a time; in a narrow view it takes the place of the lengths until it is left.
-  void askForTime();
 
  public slots:
   void follow();
@@ -58,15 +56,7 @@ class CurveView : public QWidget {
   void followingChanged(bool following);
   void drawn();  ///< the curves were drawn with all samples appended so far
 
- protected:
-  bool event(QEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
-  /// What the bar needs with all of it, and at the least.
-  void measureBar();
-  void arrangeBar(bool narrow);
   void buildBar(class QVBoxLayout* layout);
   void addStrips();
   /// With less than a column of new samples the picture would be the same.
@@ -76,16 +66,13 @@ class CurveView : public QWidget {
   [[nodiscard]] QString noteOf(const QString& strip) const;
   void sayFollowing();
 
-  bool narrow_ = false;
-  bool asking_ = false;  ///< the field for a time is in use
-  int roomy_px_ = 0;     ///< width from where on the bar shows all of it
   CurveBuffer buffer_;
   CurveStack* stack_;
   std::vector<RecentValue> recent_;  ///< one per channel
   pipeline::TelemetrySample newest_;
   Instant origin_{};
   bool any_ = false;
-  bool dirty_ = true;                                          ///< something else than samples changed the picture
+  bool dirty_ = true;  ///< something else than samples changed the picture
   double drawn_s_ = std::numeric_limits<double>::quiet_NaN();  ///< newest sample in the picture
   bool was_following_ = true;
   QElapsedTimer since_sample_;

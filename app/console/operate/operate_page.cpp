@@ -181,7 +181,7 @@ void OperatePage::addCurveCommands(PlaceCommands& commands) {
   commands.add({"curves.follow", "Curves", QT_TRANSLATE_NOOP("Commands", "Follow the newest values"), "follow", "F"},
                [this](bool) { curves_->follow(); });
   commands.add({"curves.go_to", "Curves", QT_TRANSLATE_NOOP("Commands", "Go to a time"), "", "J"},
-               [this](bool) { curves_->askForTime(); });
+               [this](bool) { curves_->timeField()->setFocus(); });
   const auto span = [&](const char* id, const char* text, const char* keys, double span_s) {
     commands.add({id, "Curves", text, "", keys}, [this, span_s](bool) { curves_->chooseSpan(span_s); });
   };

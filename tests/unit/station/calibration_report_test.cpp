@@ -47,7 +47,7 @@ TEST(CalibrationReport, ShowsBothWithEveryValueAndTheResiduals) {
   ASSERT_EQ(content.tables.size(), 3U);
   const auto html = report::reportHtml(content);
   ASSERT_TRUE(html);
-  for (const char* words : {"Ada", "Bo", "999", "1004.88", "0.0123 N", "lab.toml", "the others contradict it"}) {
+  for (const char* words : {"Ada", "Bo", "999", "1004.88", "0.012 N", "lab.toml", "the others contradict it"}) {
     EXPECT_THAT(*html, HasSubstr(words));
   }
   EXPECT_THAT(*html, Not(HasSubstr("nan")));
