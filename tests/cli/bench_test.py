@@ -41,9 +41,8 @@ class Bench(fyd.Case):
                 self.assertEqual(len(table) - 1, sum(row["subject"] == subject for row in rows))
                 markdown = (out / f"{subject}.md").read_text(encoding="utf-8")
                 self.assertEqual(len(re.findall(r"^\| ", markdown, re.MULTILINE)), len(table))
-        for name in ("numbers.svg", "predict.svg", "scene_contact.svg"):
-            tree = ElementTree.parse(out / name)
-            self.assertGreater(len(tree.findall(".//{http://www.w3.org/2000/svg}circle")), 5, name)
+        tree = ElementTree.parse(out / "numbers.svg")
+        self.assertGreater(len(tree.findall(".//{http://www.w3.org/2000/svg}circle")), 5)
 
     def test_a_table_as_text_has_what_its_json_has(self):
         done = fyd.run("bench", "calibration", "--quick", "--text")
