@@ -48,9 +48,10 @@ Point heldNow(Holds& all) {
 
 Point Clock::now() {
   Holds& all = holds();
-  if (all.count.load(std::memory_order_acquire) == 0) {
-    return Point(real() - duration(all.held_back.load(std::memory_order_relaxed)));
-  }
+  const rep held_back = all.held_back.load();
+  const duration free = real();
+  // A hold may have come, and gone, since the first line: what it held back must not be missing here.
+  if (all.count.load() == 0 && all.held_back.load() == held_back) return Point(free - duration(held_back));
   const std::lock_guard lock(all.mutex);
   return heldNow(all);
 }
