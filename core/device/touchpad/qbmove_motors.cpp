@@ -102,13 +102,9 @@ Result<void> QbmoveMotors::connect() {
   port_ = std::move(*port);
   parser_.reset();
   const auto reply = ask(qb::kPing, 0);
-  if (reply) {
-    const double units = std::round(parameters_.qbmove_watchdog_ms / qb::kWatchdogUnit_ms);
-    if (send(protocol::qbmoveByteFrame(qb::kSetWatchdog, static_cast<std::uint8_t>(std::clamp(units, 1.0, 255.0)))) &&
-        send(protocol::qbmoveByteFrame(qb::kActivate, qb::kMotorsOff))) {
-      ++connections_;
-      return {};
-    }
+  if (reply && send(protocol::qbmoveByteFrame(qb::kActivate, qb::kMotorsOff))) {
+    ++connections_;
+    return {};
   }
   port_.reset();
   return tl::unexpected(reply ? Error{explainPort(path_, EIO)} : reply.error());
@@ -116,6 +112,11 @@ Result<void> QbmoveMotors::connect() {
 
 Result<void> QbmoveMotors::follow(const control::MotorCommand& command) {
   if (command.active != energised_) {
+    if (command.active) {  // each time: a board that restarted meanwhile has none, and says nothing of it
+      const double units = std::round(parameters_.qbmove_watchdog_ms / qb::kWatchdogUnit_ms);
+      const auto limit = static_cast<std::uint8_t>(std::clamp(units, 1.0, 255.0));
+      if (auto sent = send(protocol::qbmoveByteFrame(qb::kSetWatchdog, limit)); !sent) return sent;
+    }
     const std::uint8_t mode = command.active ? qb::kMotorsOn : qb::kMotorsOff;
     if (auto sent = send(protocol::qbmoveByteFrame(qb::kActivate, mode)); !sent) return sent;
     energised_ = command.active;
