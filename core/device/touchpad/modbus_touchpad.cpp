@@ -169,6 +169,8 @@ void ModbusTouchpad::queueVibration(std::span<const VibrationDuty> duties) {
 void ModbusTouchpad::prepare(const control::MotorCommand& command) {
   const bool operate = arming_ == Arming::switching_on || arming_ == Arming::on;
   command_.control_word = protocol::nextControlWord(drive_, operate, acknowledge_fault_);
+  // Only while the motors shall be on: one that does not obey an "off" is switched off by its own watchdog.
+  if (operate) ++command_.heartbeat;
   command_.reference_ticks = command.reference_ticks;
   if (!operate) {
     command_.duties.clear();
@@ -183,7 +185,6 @@ Result<void> ModbusTouchpad::transact() {
   protocol::StateRegisters in{};
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     ++command_.nonce;
-    ++command_.heartbeat;
     const std::size_t count = protocol::encode(command_, out);
     if (auto done = link_.writeAndRead(protocol::kCommandAddress, {out.data(), count}, protocol::kStateAddress, in);
         !done) {
