@@ -100,6 +100,10 @@ void Checks::look(const pipeline::Inputs& inputs, const pipeline::Outputs& outpu
   numbers(outputs);
   if (began_) standstill(inputs, outputs);
   transition(inputs, outputs);
+  for (const auto& command : inputs.commands.view()) {
+    if (command.action == OperatorAction::target_by_hand) by_hand_ = true;
+    if (command.action == OperatorAction::target_from_robot) by_hand_ = false;
+  }
   began_ = true;
   before_ = inputs.now;
   state_ = outputs.telemetry.state;

@@ -14,6 +14,8 @@ class Checks {
   void look(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs);
 
   [[nodiscard]] pipeline::SafetyState state() const { return state_; }
+  /// Whether the operator's own target was asked for last, and not the robot's.
+  [[nodiscard]] bool byHand() const { return by_hand_; }
   /// Since the state is no longer Active.
   [[nodiscard]] Duration quiet(Instant now) const { return now - last_active_; }
 
@@ -25,6 +27,7 @@ class Checks {
   const pipeline::Parameters& parameters_;
   Figures& figures_;
   bool began_ = false;
+  bool by_hand_ = false;
   Instant before_{};
   Instant last_active_{};
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
@@ -37,8 +40,9 @@ class Checks {
 struct Deadline {
   std::string name;
   Instant until{};
-  Instant ends{};     ///< the fault
-  bool alone = true;  ///< no other fault of the same simulator near it
+  Instant ends{};         ///< the fault
+  bool alone = true;      ///< no other fault of the same simulator near it
+  bool of_robot = false;  ///< over with the operator's own target, for which no robot is needed
 };
 
 }  // namespace fyd::soak

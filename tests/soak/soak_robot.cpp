@@ -162,9 +162,10 @@ std::optional<Deadline> SoakRobot::disturb(Chance& chance, Instant now, Figures&
       weather(kCalmDelay_ms, 0.0, 100.0);
       until_then();
       if (!was_calm || touchpad_->phase() != pipeline::LinkPhase::running) return std::nullopt;
-      return Deadline{.name = "robot network cut", .until = now + kLostAfter, .ends = now + lasts};
+      return Deadline{.name = "robot network cut", .until = now + kLostAfter, .ends = now + lasts, .of_robot = true};
     }
     case 1:
+      if (!was_calm) break;  // a cut stays one until it ends: its deadline says so
       count("network storm");
       weather(chance.between(1.0, 60.0), chance.between(0.0, 30.0), chance.between(1.0, 60.0));
       until_then();

@@ -92,11 +92,12 @@ class Deadlines {
   void add(std::optional<Deadline> deadline) {
     if (deadline && deadline->alone && deadline->ends > deadline->until) running_.push_back(std::move(*deadline));
   }
-  void look(Instant now, SafetyState state, Figures& figures) {
+  void look(Instant now, const Checks& checks, Figures& figures) {
     std::erase_if(running_, [&](const Deadline& deadline) {
+      if (deadline.of_robot && checks.byHand()) return true;
       if (now < deadline.until) return false;
       if (now >= deadline.ends) return true;
-      if (state == SafetyState::active) {
+      if (checks.state() == SafetyState::active) {
         broken(fmt::format("Active {:.0f} ms after the time by which {} had to end it",
                            toMilliseconds(now - deadline.until), deadline.name));
       }
@@ -162,7 +163,7 @@ void runSession(std::uint64_t number, Chance& chance, const std::string& folder,
     hands.act(chance, checks.state(), now, inputs);
     outputs = step.step(inputs);
     checks.look(inputs, outputs);
-    deadlines.look(now, checks.state(), figures);
+    deadlines.look(now, checks, figures);
     disk.push(inputs, outputs);
     if (touchpad.pictures() != pictures) {
       pictures = touchpad.pictures();
