@@ -111,7 +111,12 @@ nlohmann::ordered_json toJson(const Table& table) {
 }
 
 std::string number(double value, int digits) {
-  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : std::string(kNothing);
+  if (!std::isfinite(value)) return std::string(kNothing);
+  constexpr double kLeastWithExponent = 1e6;  // thousands are read more easily in full
+  const double size = std::abs(value);
+  if (size < std::pow(10.0, digits) || size >= kLeastWithExponent) return fmt::format("{:.{}g}", value, digits);
+  const double step = std::pow(10.0, std::floor(std::log10(size)) + 1.0 - digits);
+  return fmt::format("{:.0f}", std::round(value / step) * step);
 }
 
 double valueOf(const std::string& cell) {
