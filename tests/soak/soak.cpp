@@ -8,7 +8,7 @@
 //   recording opens and is verified, that of a failed disk after its recovery; the recorder's second pipeline computes
 //   the same; nothing hangs; neither memory nor open files grow.
 //
-//   soak [SECONDS [SEED]]        of the machine's time; the hour: soak 3600 1
+//   soak [SECONDS [SEED [SESSION]]]     of the machine's time, from this session on; the hour: soak 3600 1
 #include "tests/soak/soak.h"
 
 #include <atomic>
@@ -94,6 +94,7 @@ int main(int argc, char** argv) {
   using namespace fyd::soak;
   const double seconds = argc > 1 ? std::atof(argv[1]) : 30.0;
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  const std::uint64_t first = argc > 3 ? std::max(1ULL, std::strtoull(argv[3], nullptr, 10)) : 1;
   if (!(seconds > 0.0)) {
     std::fprintf(stderr, "soak: SECONDS is '%s', expected a number above 0\n", argv[1]);
     return 2;
@@ -116,15 +117,15 @@ int main(int argc, char** argv) {
   double first_MB = 0.0;
   std::size_t first_files = 0;
   double told = 0.0;
-  for (std::uint64_t number = 1; passed() < seconds; ++number) {
+  for (std::uint64_t number = first; passed() < seconds; ++number) {
     Chance chance(seed * 1'000'003 + number);  // each session can be run again alone
     const fyd::Folder folder;
     runSession(number, chance, folder.path(), figures);
-    if (number == 1) first_files = openFiles();
+    if (number == first) first_files = openFiles();
     if (openFiles() > first_files)
       broken(fmt::format("{} files are open, {} after the first session", openFiles(), first_files));
-    if (number == kWarmUp) first_MB = memory_MB();
-    if (number > kWarmUp && memory_MB() > first_MB + kMostGrowth_MB) {
+    if (number == first + kWarmUp) first_MB = memory_MB();
+    if (number > first + kWarmUp && memory_MB() > first_MB + kMostGrowth_MB) {
       broken(fmt::format("{:.0f} MB, {:.0f} MB after {} sessions", memory_MB(), first_MB, kWarmUp));
     }
     if (passed() > told + 300.0) {

@@ -20,8 +20,8 @@ constexpr double kLongest_s = 30.0;
 constexpr double kBetweenFaults_ms = 1200.0;
 // The touches under way, a prediction that ends (150 ms without a touch), and its way to rest.
 constexpr Duration kArmRests = milliseconds(2500);
-// What the prediction's tail may still be worth then: it comes to the touch's last depth as an exponential does, with some
-// 0.005 mm/s after 2.5 s. An arm such as the robot's returns to a place within 0.1 mm.
+// What the prediction of a press that is held may still change then (it forgets motion within two seconds). An arm such as
+// the robot's returns to a place within 0.1 mm.
 constexpr double kStill_mm = 0.05;
 
 const sim::FingerPath& fingerOf(Chance& chance) {

@@ -94,7 +94,12 @@ void TouchReference::follow(const protocol::RobotReception& reception, Instant n
   heard_ = now;
   if (!goal.depth) return;
   arrived_mm_.z = goal.position_mm.z;
-  lead(parts_[1], reception.touch_sent, goal.position_mm);
+  if (reception.touch->in_contact) {
+    lead(parts_[1], reception.touch_sent, goal.position_mm);
+  } else {  // a predictor forgets a press within seconds only, and the tool would go on pressing
+    rest(parts_[1]);
+    held_mm_[2] = goal.position_mm.z;
+  }
   if (goal.along) {
     arrived_mm_ = goal.position_mm;
     lead(parts_[0], reception.touch_seen, goal.position_mm);

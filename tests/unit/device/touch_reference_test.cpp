@@ -112,7 +112,7 @@ TEST(TouchReference, LeadsToWhereTheFingerWillBeWhenTheArmGetsThere) {
 TEST(TouchReference, TheTargetIsContinuousUnderLossDuplicatesAndSilence) {
   for (const char* name : {"order0", "order1", "hybrid", "kalman", "ar", "default"}) {
     std::mt19937 random(7);
-    Wire wire(settingsOf(name));
+    Wire wire(settingsOf(std::string(name).c_str()));
     wire.copies = [&](double t_s) {
       if (t_s > 3.0 && t_s < 3.637) return 0;
       return t_s < 3.0 ? static_cast<int>(random() % 2) : 3;  // half lost, then all three times
@@ -131,7 +131,7 @@ TEST(TouchReference, TheTargetIsContinuousUnderLossDuplicatesAndSilence) {
 
 TEST(TouchReference, APredictionEndsWithTheTouchesItRestsOn) {
   for (const char* name : {"order1", "kalman", "default"}) {
-    Wire wire(settingsOf(name));
+    Wire wire(settingsOf(std::string(name).c_str()));
     wire.copies = [](double t_s) { return t_s < 2.0 ? 1 : 0; };
     wire.runTo(2.04);  // the last touch, sent at 1.99, arrives at 2.04
     wire.runTo(2.04 + 0.150 + 0.2);
@@ -173,6 +173,22 @@ TEST(TouchReference, ALiftedFingerStopsItWithoutTurningBack) {
   }
   EXPECT_LT(std::hypot(before.x - at_lift.x, before.y - at_lift.y), 4.0);
   EXPECT_LT(std::hypot(wire.target.velocity_mm_s.x, wire.target.velocity_mm_s.y), 0.1);
+}
+
+// Presses of a hand, then lifted: the tool must leave the thing, not press on it for seconds.
+TEST(TouchReference, ALiftedFingersDepthIsThatOfTheTouch) {
+  for (const std::string_view name : teleop::kPredictorNames) {
+    SCOPED_TRACE(name);
+    Wire wire(settingsOf(std::string(name).c_str()));
+    const auto pressed = [](double t_s) { return -14.0 * std::pow(std::sin(2.0 * std::numbers::pi * 1.1 * t_s), 2); };
+    constexpr double kLifted_s = 5.0 / 1.1;  // where the sine has come back to 0
+    wire.finger = [&](double t_s) { return Vec3{5.0, 5.0, t_s < kLifted_s ? pressed(t_s) : 0.0}; };
+    wire.touching = [&](double t_s) { return t_s < kLifted_s; };
+    wire.runTo(kLifted_s + 0.2);  // 50 ms on its way, and the smoothing
+    double furthest_mm = 0.0;
+    while (wire.t_s < kLifted_s + 4.0) furthest_mm = std::max(furthest_mm, std::abs(wire.step().position_mm.z));
+    EXPECT_LT(furthest_mm, 0.01);
+  }
 }
 
 TEST(TouchReference, AnOldPictureIsNotPredictedFromForEver) {
