@@ -47,6 +47,7 @@ class SoakDisk {
   recording::Recorder recorder_;
   std::string file_;  ///< being recorded; empty: none
   std::uint64_t pushed_ = 0;
+  std::uint64_t begun_ = 0;  // pushed before the recording
   int files_ = 0;
 };
 
