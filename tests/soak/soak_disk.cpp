@@ -21,7 +21,7 @@ constexpr std::chrono::seconds kPatience{120};
 
 recording::RecorderOptions options() {
   recording::RecorderOptions out;
-  out.pre_trigger_s = 1.0;
+  out.pre_trigger_s = 4.0;  // so many steps wait for a slow disk, three times over
   out.smallest_free_MB = 10.0;
   return out;
 }
