@@ -55,8 +55,8 @@ struct FYD_API Message {
   std::string_view format;  ///< static storage; places as fmt has them, each filled by the value of its number
   std::vector<Value> values;
 
-  Message() = default;
-  Message(MessageKind its_kind, std::string_view its_format) : kind(its_kind), format(its_format) {}
+  Message();
+  Message(MessageKind its_kind, std::string_view its_format);
   Message(const Message&);
   Message(Message&&) noexcept;
   Message& operator=(const Message&);
@@ -83,6 +83,10 @@ struct Value {
 
   FYD_API friend bool operator==(const Value&, const Value&);
 };
+
+// Not within the class: what they would destroy must be complete.
+inline Message::Message() = default;
+inline Message::Message(MessageKind its_kind, std::string_view its_format) : kind(its_kind), format(its_format) {}
 
 /// A value as a place with this spec ("" or ".2f") shows it, in English.
 [[nodiscard]] FYD_API std::string shown(const Value& value, std::string_view spec);
