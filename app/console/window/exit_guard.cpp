@@ -16,7 +16,7 @@ void endNow() {
   const auto end = std::exchange(end_of_session, {});
   if (!end) return;
   end();
-  std::fputs("fyd-console: the display is gone; motors off, recording closed\n", stderr);
+  std::fputs("fyd-console: the display is gone; motors off, any recording closed\n", stderr);
   std::fflush(nullptr);
   std::_Exit(kDisplayLost);
 }
