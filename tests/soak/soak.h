@@ -38,6 +38,7 @@ struct Figures {
   std::uint64_t arms = 0;
   std::uint64_t refused_arms = 0;
   std::uint64_t checked_deadlines = 0;  ///< faults that were there alone until Active had to have ended
+  double largest_creep_mm = 0.0;        ///< of the arm, from 2.5 s after the end of Active on
   std::uint64_t recordings = 0;         ///< closed, whole and verified
   std::uint64_t failed_recordings = 0;  ///< ended by the disk, recovered and verified
   std::uint64_t recorded_steps = 0;
