@@ -2,7 +2,7 @@
 // wrong ones, while something can move, with the touchpad gone and back; what a start remembers; the first steps.
 #include "app/console/window/start.h"
 #include "core/sim/server/touchpad_process.h"
-#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/hands.h"
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
@@ -68,11 +68,6 @@ struct Started {
   std::unique_ptr<console::MainWindow> window;
 };
 
-void click(QWidget* widget) {
-  QVERIFY(widget != nullptr && widget->isVisible() && widget->isEnabled());
-  QTest::mouseClick(widget, Qt::LeftButton);
-}
-
 void enter(widgets::PartChoice* part, int kind, const QString& text) {
   part->kind()->setCurrentIndex(kind);
   part->entry()->setFocus();
@@ -93,11 +88,7 @@ void connectTo(const Started& day, const NetworkTouchpad& touchpad) {
   WAIT_FOR(day.window->connection().work().isEmpty());
 }
 
-console::DevicesPage* devicesOf(const Fixture& f) {
-  return qobject_cast<console::DevicesPage*>(f.window->frame()->page(QStringLiteral("devices")));
-}
-
-void say(const Fixture& f, SafetyState state, bool contact = false) {
+void stationSays(const Fixture& f, SafetyState state, bool contact = false) {
   f.session->say(state);
   f.session->telemetry.back().contact = contact;
   f.window->feed().pump();
@@ -182,7 +173,7 @@ class ConnectionTest : public QObject {
   void whatWasSaidOfATryGoesWithTheNext() {
     Fixture f;
     f.window->frame()->go(QStringLiteral("devices"));
-    say(f, SafetyState::ready);
+    stationSays(f, SafetyState::ready);
     f.window->connection().change({.touchpad = "modbus-tcp:bad"});
     WAIT_EQUAL(f.window->notices()->count(), 1);
     QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("bad by the script")));
@@ -200,7 +191,7 @@ class ConnectionTest : public QObject {
   void theFocusStaysAtConnectWhileItWorks() {
     Fixture f;
     f.window->frame()->go(QStringLiteral("devices"));
-    say(f, SafetyState::ready);
+    stationSays(f, SafetyState::ready);
     widgets::ConnectionForm* form = devicesOf(f)->form();
     form->connectButton()->setFocus();
     form->setWork(QStringLiteral("working"), false);
@@ -213,7 +204,7 @@ class ConnectionTest : public QObject {
     Fixture f;
     f.window->resize(1280, 720);
     f.window->frame()->go(QStringLiteral("devices"));
-    say(f, SafetyState::ready);
+    stationSays(f, SafetyState::ready);
     widgets::ConnectionForm* form = devicesOf(f)->form();
     const auto place = [&] {
       passTimers(50);
@@ -291,7 +282,7 @@ class ConnectionTest : public QObject {
                                          {SafetyState::stopped, true},
                                          {SafetyState::held, false},
                                          {SafetyState::disconnected, true}}) {
-      say(f, state);
+      stationSays(f, state);
       QCOMPARE(form->connectButton()->isEnabled(), allowed);
       QCOMPARE(form->hint().contains(QStringLiteral("Esc first")), !allowed);
     }
@@ -301,17 +292,17 @@ class ConnectionTest : public QObject {
     QCOMPARE(f.session->checks, 0);
     QVERIFY(f.session->asked.empty());
     // Armed while the devices are asked.
-    say(f, SafetyState::ready);
+    stationSays(f, SafetyState::ready);
     f.session->reads_long = true;
     click(form->connectButton());
     QCOMPARE(form->connectButton()->text(), QStringLiteral("Cancel"));
-    say(f, SafetyState::active);
+    stationSays(f, SafetyState::active);
     f.session->reads_long = false;
     WAIT_EQUAL(form->connectButton()->text(), QStringLiteral("Connect"));
     QVERIFY(f.session->asked.empty() && f.session->open);
     // A recording would end.
     f.session->recorder.state = recording::RecorderState::recording;
-    say(f, SafetyState::ready);
+    stationSays(f, SafetyState::ready);
     QVERIFY(!form->connectButton()->isEnabled());
     QVERIFY2(form->hint().contains(QStringLiteral("recording")), qPrintable(form->hint()));
   }
@@ -320,7 +311,7 @@ class ConnectionTest : public QObject {
     Fixture f;
     f.window->frame()->go(QStringLiteral("devices"));
     widgets::ConnectionForm* form = devicesOf(f)->form();
-    say(f, SafetyState::ready);
+    stationSays(f, SafetyState::ready);
     form->touchpad()->setWord(QStringLiteral("modbus-rtu:/dev/ttyUSB0:1000000"));
     QVERIFY(!form->connectButton()->isEnabled());  // no camera yet
     form->motors()->setWord(QStringLiteral("qbmove:/dev/ttyUSB1"));

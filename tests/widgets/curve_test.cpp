@@ -17,7 +17,6 @@ using widgets::CurveBuffer;
 using widgets::CurveColumn;
 
 constexpr int kDrawn_ms = 100;  // several times as long as a redraw waits
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// What the pyramid must give, by looking at every sample.
 CurveColumn bruteForce(const std::vector<double>& times, const std::vector<float>& values, double left_s,
@@ -89,7 +88,7 @@ class CurveTest : public QObject {
     double t = 0.0;
     for (int i = 0; i < 90000; ++i) {
       t += step_s(random);
-      const float v = random() % 97 == 0 ? kNaN : value(random);
+      const float v = random() % 97 == 0 ? std::numeric_limits<float>::quiet_NaN() : value(random);
       const float row[] = {v, -v};
       QVERIFY(buffer.append(t, row));
       times.push_back(t);

@@ -4,7 +4,7 @@
 
 #include "app/console/window/places.h"
 #include "tests/widgets/device_reports.h"
-#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/hands.h"
 #include "tests/widgets/suite.h"
 #include "widgets/tuning/tuning_text.h"
 
@@ -25,10 +25,6 @@ device::DeviceReport camera() {
       {.name = say("brightness"), .wanted = 40.0, .actual = 40.0, .supported = true, .words = say("set to 40 %")},
       {.name = say("exposure"), .words = say("this source has none")}};
   return out;
-}
-
-console::DevicesPage* devicesOf(const Fixture& f) {
-  return qobject_cast<console::DevicesPage*>(f.window->frame()->page(QStringLiteral("devices")));
 }
 
 QToolButton* railButton(const Fixture& f, const char* place) {

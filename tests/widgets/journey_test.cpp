@@ -2,6 +2,7 @@
 // tune, run and record, stop, review, export, and the next morning. What is looked at is what the operator sees.
 #include "app/console/review/review_page.h"
 #include "app/console/tune/tune_page.h"
+#include "tests/widgets/hands.h"
 #include "tests/widgets/simulated_touchpad.h"
 #include "tests/widgets/suite.h"
 
@@ -96,11 +97,6 @@ struct Day {
 
   std::unique_ptr<console::MainWindow> window;
 };
-
-QString contentOf(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
 
 /// A part of the journey; a test goes no further than the first that failed.
 #define GO(part) \
@@ -272,13 +268,13 @@ void exportIt(const Day& day, const NewHome& home) {
   WAIT_FOR(day.told(QStringLiteral("S07.csv is written")));
   day.key(Qt::Key_P, Qt::ControlModifier);
   WAIT_FOR(day.told(QStringLiteral("S07.html is written")));
-  const QString table = contentOf(home.session(QStringLiteral(".csv")));
-  QVERIFY(table.startsWith(QLatin1String("time_s [s],")));
-  QVERIFY2(table.count(QLatin1Char('\n')) > 1000, "more than a second");
-  QVERIFY(contentOf(home.session(QStringLiteral(".events.csv"))).contains(kNote));
-  const QString report = contentOf(home.session(QStringLiteral(".html")));
+  const QByteArray table = contentOf(home.session(QStringLiteral(".csv")));
+  QVERIFY(table.startsWith("time_s [s],"));
+  QVERIFY2(table.count('\n') > 1000, "more than a second");
+  QVERIFY(contentOf(home.session(QStringLiteral(".events.csv"))).contains(kNote.toUtf8()));
+  const QByteArray report = contentOf(home.session(QStringLiteral(".html")));
   for (const QString& each : {kNote, kOperator, kSubject, QStringLiteral("<svg"), QStringLiteral("Touches")}) {
-    QVERIFY2(report.contains(each), qPrintable(each));
+    QVERIFY2(report.contains(each.toUtf8()), qPrintable(each));
   }
 }
 

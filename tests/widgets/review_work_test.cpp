@@ -8,6 +8,7 @@
 #include "core/recording/file/recording_hdf5.h"
 #include "core/sim/gesture_card.h"
 #include "tests/unit/recording/recording_damage.h"
+#include "tests/widgets/hands.h"
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/suite.h"
 
@@ -53,11 +54,6 @@ struct WorkFixture : ReviewFixture {
   }
   void cancelByKey() { key(Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier); }
 };
-
-QByteArray contentOf(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 }  // namespace
 

@@ -4,15 +4,13 @@
 
 #include "app/console/tune/tune_page.h"
 #include "core/control/static_law.h"
-#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/hands.h"
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
 namespace {
 
 using widgets::TuningResponse;
-
-void click(QAbstractButton* button) { QTest::mouseClick(button, Qt::LeftButton); }
 
 struct TuneFixture : Fixture {
   TuneFixture() {

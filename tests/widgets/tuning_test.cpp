@@ -25,8 +25,8 @@ struct Tuned {
   }
 };
 
-struct Fixture {
-  Fixture() {
+struct TuningFixture {
+  TuningFixture() {
     Tuned current;
     Tuned standard;
     current.percent = 30;
@@ -64,7 +64,7 @@ class TuningTest : public QObject {
   Q_OBJECT
  private slots:
   void sliderFieldAndParameterAreOne() {
-    Fixture f;
+    TuningFixture f;
     QSignalSpy asked(&f.model, &widgets::TuningModel::asked);
     widgets::TuningRow* row = f.panel->row(QStringLiteral("a.percent"));
     row->slider()->setValue(row->slider()->maximum() / 2);
@@ -81,7 +81,7 @@ class TuningTest : public QObject {
   }
 
   void everyFieldRefusesWhatIsOutOfPlace() {
-    Fixture f;
+    TuningFixture f;
     QSignalSpy refused(f.panel.get(), &widgets::TuningPanel::refused);
     int tried = 0;
     for (widgets::TuningRow* row : f.panel->rows()) {
@@ -109,7 +109,7 @@ class TuningTest : public QObject {
   }
 
   void refusedEntryIsReplacedByTheValueWhenTheFieldIsLeft() {
-    Fixture f;
+    TuningFixture f;
     f.type("a.target", QStringLiteral("99"));
     QLineEdit* field = f.panel->row(QStringLiteral("a.target"))->field();
     QVERIFY(field->property("refused").toBool());
@@ -120,7 +120,7 @@ class TuningTest : public QObject {
   }
 
   void everyChangeIsUndoneAndADragIsOneChange() {
-    Fixture f;
+    TuningFixture f;
     widgets::TuningRow* row = f.panel->row(QStringLiteral("a.percent"));
     for (int i = 130; i < 200; ++i) row->slider()->setValue(i);
     f.type("a.gain", QStringLiteral("0.3"));
@@ -139,7 +139,7 @@ class TuningTest : public QObject {
   }
 
   void resetGoesToTheDefaultAndTheMarkTellsWhatIsNotSaved() {
-    Fixture f;
+    TuningFixture f;
     QVERIFY(!f.model.anyChanged());  // 30 is what the profile has, though not the default
     widgets::TuningRow* row = f.panel->row(QStringLiteral("a.percent"));
     QVERIFY(row->resetButton()->isVisible());
@@ -152,7 +152,7 @@ class TuningTest : public QObject {
   }
 
   void changesFromElsewhereAreShownAndNotAskedForAgain() {
-    Fixture f;
+    TuningFixture f;
     QSignalSpy asked(&f.model, &widgets::TuningModel::asked);
     f.model.accept("a.percent", 40.0);
     QCOMPARE(f.panel->row(QStringLiteral("a.percent"))->field()->text(), QStringLiteral("40"));
@@ -169,7 +169,7 @@ class TuningTest : public QObject {
   }
 
   void aDoubtedEntryWaitsInItsRowAndEnterLeavesTheValue() {
-    Fixture f;
+    TuningFixture f;
     doubtLargeGains(f.model);
     QSignalSpy asked(&f.model, &widgets::TuningModel::asked);
     QSignalSpy entered(f.panel.get(), &widgets::TuningPanel::entered);
@@ -206,7 +206,7 @@ class TuningTest : public QObject {
   }
 
   void aDraggedSliderStopsWhereTheDoubtBeginsAndGoesOnBehindIt() {
-    Fixture f;
+    TuningFixture f;
     widgets::TuningRow* row = f.panel->row(QStringLiteral("a.gain"));
     const int steps = row->slider()->maximum();
     f.model.setDoubt([](std::span<const widgets::Setting> next) {
@@ -226,7 +226,7 @@ class TuningTest : public QObject {
   }
 
   void aDoubtedSetWaitsAsOneAndAnotherChangeLeavesIt() {
-    Fixture f;
+    TuningFixture f;
     doubtLargeGains(f.model);
     const std::vector<widgets::Setting> preset = {{"a.gain", 9.0}, {"a.percent", 60.0}};
     QVERIFY(f.model.changeAll(QStringLiteral("preset"), preset).has_value());
@@ -245,7 +245,7 @@ class TuningTest : public QObject {
   }
 
   void feelingDoubtedValuesWaitsAsWell() {
-    Fixture f;
+    TuningFixture f;
     f.type("a.gain", QStringLiteral("9"));
     f.model.markSaved();
     doubtLargeGains(f.model);
@@ -264,7 +264,7 @@ class TuningTest : public QObject {
   }
 
   void enterInAFieldFreesTheFocusAndAClickTakesAllOfIt() {
-    Fixture f;
+    TuningFixture f;
     QSignalSpy entered(f.panel.get(), &widgets::TuningPanel::entered);
     f.type("a.target", QStringLiteral("0.7"));
     QCOMPARE(entered.count(), 1);
@@ -276,7 +276,7 @@ class TuningTest : public QObject {
   }
 
   void wheelOverAnUnfocusedRowChangesNothing() {
-    Fixture f;
+    TuningFixture f;
     QSlider* slider = f.panel->row(QStringLiteral("a.percent"))->slider();
     f.panel->row(QStringLiteral("a.gain"))->field()->setFocus();
     const QPointF at = slider->rect().center();
@@ -287,7 +287,7 @@ class TuningTest : public QObject {
   }
 
   void everyEditorHasANameWithItsUnit() {
-    Fixture f;
+    TuningFixture f;
     QCOMPARE(f.panel->row(QStringLiteral("a.target"))->slider()->accessibleName(), QStringLiteral("Target in N/mm"));
     for (widgets::TuningRow* row : f.panel->rows()) QVERIFY(!row->accessibleName().isEmpty());
     QCOMPARE(f.panel->row(QStringLiteral("a.count"))->accessibleName(), QStringLiteral("Count"));  // its own name
