@@ -39,6 +39,9 @@ class Program:
         entries = json.loads((build / "compile_commands.json").read_text())
         self.entries = {}
         for entry in entries:
+            # Not "output": CMake 3.25 does not write it.
+            entry["command"] = shlex.split(entry["command"])
+            entry["output"] = entry["command"][entry["command"].index("-o") + 1]
             if f"/{name}.dir/" in entry["output"]:
                 path = pathlib.Path(entry["file"]).resolve().relative_to(SOURCE)
                 self.entries[str(path)] = entry
@@ -48,7 +51,7 @@ class Program:
         if said.returncode:
             fail(f"{name} is not built:\n{said.stdout}{said.stderr}")
         line = subprocess.run(
-            ["ninja", "-C", build, "-t", "commands", "-s", name], capture_output=True, text=True, check=True
+            ["ninja", "-C", build, "-t", "commands", "-s", f"bin/{name}"], capture_output=True, text=True, check=True
         ).stdout.strip()
         # ": && COMMAND && :", as CMake writes it
         self.link = shlex.split(line.split("&&")[1])
@@ -69,9 +72,8 @@ class Program:
         return False, failed[0][13:].split(",")[0].split(" (")[0] if failed else f"exit code {run.returncode}"
 
     def compiled(self, entry, source, out, shadow):
-        command = shlex.split(entry["command"])
+        command = list(entry["command"])
         at = command.index("-o")
-        original = entry["output"]
         command[at + 1] = str(out)
         if "-MF" in command:
             command[command.index("-MF") + 1] = str(out) + ".d"
@@ -79,7 +81,7 @@ class Program:
         # The changed header is found before the right one, and what a mutant makes unused is no error.
         command[at:at] = ["-w", *(["-iquote", str(shadow)] if shadow else [])]
         run = subprocess.run(command, cwd=entry["directory"], capture_output=True, text=True)
-        return original, run.returncode == 0, run.stderr
+        return run.returncode == 0, run.stderr
 
     def of(self, file, text):
         """Compiles and runs with `text` in place of the file. @return (compiled, passed, words)"""
@@ -90,11 +92,12 @@ class Program:
         objects = {}
         for name in self.recompiled.get(file, []) if header else [file]:
             out = self.place / (name.replace("/", "_") + ".o")
-            original, good, words = self.compiled(
-                self.entries[name], SOURCE / name if header else changed, out, self.place if header else None)
+            entry = self.entries[name]
+            good, words = self.compiled(
+                entry, SOURCE / name if header else changed, out, self.place if header else None)
             if not good:
                 return False, False, words
-            objects[original] = str(out)
+            objects[entry["output"]] = str(out)
         changed.unlink()
         program = self.place / "program"
         link = [objects.get(word, word) for word in self.link]
@@ -116,7 +119,7 @@ def mutated(mutant):
 def main():
     arguments = argparse.ArgumentParser(description="Does a test notice when the code is wrong?")
     arguments.add_argument("build", type=pathlib.Path, help="a build folder with tests")
-    arguments.add_argument("--quick", action="store_true", help="only the mutants marked quick, for each change")
+    arguments.add_argument("--quick", action="store_true", help="only those with a quick program, for each change")
     arguments.add_argument("--only", default="", help="only mutants of files whose name holds this")
     chosen = arguments.parse_args()
     listed = tomllib.loads((pathlib.Path(__file__).parent / "mutants.toml").read_text())
@@ -133,7 +136,7 @@ def main():
         text, problem = mutated(mutant)
         if text is None:
             continue
-        name = mutant["program"]
+        name = mutant["quick"] if chosen.quick else mutant["program"]
         if name not in programs:
             programs[name] = Program(chosen.build.resolve(), name, listed["program"].get(name, {}))
             good, words = programs[name].test(chosen.build.resolve() / "bin" / name)
