@@ -267,6 +267,19 @@ TEST(SafetyStep, StopWinsOverEverythingOfTheSameStep) {
   }
 }
 
+TEST(SafetyStep, AnArmBesideAStopIsNotAnsweredEvenWhileSomethingIsMissing) {
+  Session session;
+  session.change = [](Inputs& in) { silence(in.finger); };
+  session.run(400);
+  (void)session.inputs.commands.push({.action = OperatorAction::arm});
+  const Outputs& out = session.give(OperatorAction::stop);
+  EXPECT_EQ(out.telemetry.state, stopped);
+  EXPECT_TRUE(session.reported(out, EventKind::state_changed, stopped, Fault::none));
+  const bool refused =
+      std::ranges::any_of(out.events.view(), [](const Event& event) { return event.kind == EventKind::arm_refused; });
+  EXPECT_FALSE(refused);
+}
+
 TEST(SafetyStep, DisconnectedIsOnlyWhenEveryPartOfTheTouchpadIsSilent) {
   const auto gone = [](bool motors, bool ir, bool bridge) {
     return [=](Inputs& in) {
