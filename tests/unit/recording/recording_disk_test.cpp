@@ -6,12 +6,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/integration/recording/remembering_disk.h"
+#include "tests/reference_crc.h"
 #include "tests/temporary_folder.h"
 
 namespace fyd::recording {
@@ -240,6 +242,58 @@ TEST_F(Journaled, AJournalWithOneWrongBitIsNone) {
   }
 }
 
+template <class T>
+T numberAt(const Bytes& bytes, std::size_t at) {
+  T out{};
+  std::memcpy(&out, bytes.data() + at, sizeof out);
+  return out;
+}
+
+// Read here as the page of the recording's format describes it.
+TEST_F(Journaled, AJournalIsWrittenAsTheFormatsPageSays) {
+  {
+    JournaledFile journaled = fresh();
+    write(journaled, 0, "abcdef");
+    ASSERT_EQ(journaled.commit(), 0);
+    write(journaled, 1, "XY");
+    write(journaled, 4, "Z");
+    ASSERT_EQ(journaled.commit(), 0);
+    write(journaled, 0, "Q");
+    ASSERT_EQ(journaled.commit(), 0);
+  }
+  JournaledFile again(file, JournaledFile::Mode::write, true, disk);
+  ASSERT_EQ(again.applyJournal(), 0);
+  write(again, 0, "R");
+  ASSERT_EQ(again.commit(), 0);
+  std::vector<Bytes> journals;
+  for (const LoggingDisk::Call& call : disk->calls)
+    if (!call.sync && call.at == 0) journals.push_back(call.bytes);
+  ASSERT_EQ(journals.size(), 3U);
+  constexpr std::string_view kMagic = "FYD journal 1";
+  constexpr std::size_t kNumbers = 16;  // behind the magic: sequence and bytes
+  for (std::size_t i = 0; i < journals.size(); ++i) {
+    SCOPED_TRACE(i);
+    const Bytes& journal = journals[i];
+    ASSERT_GT(journal.size(), kHead_bytes);
+    EXPECT_EQ(std::memcmp(journal.data(), kMagic.data(), kMagic.size()), 0);
+    EXPECT_EQ(numberAt<std::uint64_t>(journal, kNumbers), i + 1) << "the number continues the ended recorder's";
+    EXPECT_EQ(numberAt<std::uint64_t>(journal, kNumbers + 8), journal.size() - kHead_bytes);
+    Bytes proven(journal.begin() + kNumbers, journal.begin() + kNumbers + 16);
+    proven.insert(proven.end(), journal.begin() + kHead_bytes, journal.end());
+    EXPECT_EQ(numberAt<std::uint32_t>(journal, kNumbers + 16), referenceCrc32c(proven));
+  }
+  Bytes pieces(journals[0].begin() + kHead_bytes, journals[0].end());
+  for (std::byte& b : pieces) b ^= std::byte{0xA5};
+  ASSERT_EQ(pieces.size(), 16U + 2U + 16U + 1U);
+  EXPECT_EQ(numberAt<std::uint64_t>(pieces, 0), kFirst + 1);
+  EXPECT_EQ(numberAt<std::uint64_t>(pieces, 8), 2U);
+  EXPECT_EQ(pieces[16], std::byte{'X'});
+  EXPECT_EQ(pieces[17], std::byte{'Y'});
+  EXPECT_EQ(numberAt<std::uint64_t>(pieces, 18), kFirst + 4);
+  EXPECT_EQ(numberAt<std::uint64_t>(pieces, 26), 1U);
+  EXPECT_EQ(pieces[34], std::byte{'Z'});
+}
+
 TEST_F(Journaled, AnEndedRecordersJournalIsAppliedAndStaysUntilItsPlacesAreSynced) {
   {
     JournaledFile journaled = fresh();
@@ -259,7 +313,7 @@ TEST_F(Journaled, AnEndedRecordersJournalIsAppliedAndStaysUntilItsPlacesAreSynce
   ASSERT_EQ(again.commit(), 0);
   EXPECT_THAT(words(disk->calls, 1), ElementsAre("sync", "journal", "sync", "@1:Y"));
   const JournaledFile read(file, JournaledFile::Mode::read, true);
-  EXPECT_TRUE(read.foundJournal()) << "its number continues the ended one's";
+  EXPECT_TRUE(read.foundJournal());
 }
 
 TEST_F(Journaled, OnceACallFailedNothingIsCommittedAnyMore) {

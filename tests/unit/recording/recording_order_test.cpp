@@ -9,6 +9,7 @@
 #include "core/recording/file/recording_place.h"
 #include "core/recording/reader/recording.h"
 #include "core/recording/recovery/recording_repair.h"
+#include "recording_damage.h"
 #include "recording_samples.h"
 #include "tests/integration/recording/remembering_disk.h"
 
@@ -60,6 +61,9 @@ TEST(RecordingOrder, WhatIsAcknowledgedIsSyncedAlready) {
     }
   }
   EXPECT_EQ(made.writer->committedSteps(), 500U) << "a hundred wait";
+  const auto growing = Recording::open(made.folder.file());
+  ASSERT_TRUE(growing);
+  EXPECT_EQ((*growing)->info().wholeness, Wholeness::growing) << "only its last commit closes it";
 }
 
 TEST(RecordingOrder, AClosedOneIsSyncedWithoutAJournalAndHasItsName) {
@@ -147,7 +151,22 @@ TEST(RecordingOrder, OneThatIsDroppedIsAsItsLastCommitLeftIt) {
   const std::size_t before = disk->calls.size();
   writer->reset();
   EXPECT_EQ(disk->calls.size(), before) << "not a byte more";
-  EXPECT_EQ((*Recording::open(folder.file()))->info().committed_samples, 250U);
+  const auto left = Recording::open(folder.file());
+  ASSERT_TRUE(left);
+  EXPECT_EQ((*left)->info().committed_samples, 250U);
+  EXPECT_EQ((*left)->info().wholeness, Wholeness::crashed) << "no commit before the last closes it";
+}
+
+TEST(RecordingOrder, ARepairThatFindsNoCommitLeavesTheFileAsItIs) {
+  Begun made;
+  for (std::uint64_t row = 0; row < 300; ++row) ASSERT_TRUE(made.writer->append(plainStep(row)));
+  ASSERT_TRUE(made.writer->close());
+  loseBytes(made.folder.file(), commitAt(made.folder.file(), 0), 3 * sizeof(CommitRow));
+  const std::string before = contentOf(made.folder.file());
+  const std::size_t calls = made.disk->calls.size();
+  EXPECT_FALSE(finishRecording(made.folder.file(), made.disk));
+  EXPECT_EQ(made.disk->calls.size(), calls);
+  EXPECT_TRUE(contentOf(made.folder.file()) == before);
 }
 
 TEST(RecordingOrder, ItsFileIsLockedWhileItIsRecorded) {
@@ -169,6 +188,18 @@ TEST(RecordingOrder, StepsThatNeverCameAreCountedInTheNextCommit) {
   ASSERT_TRUE(found);
   EXPECT_EQ((*found)->info().samples, 3U);
   EXPECT_EQ((*found)->info().gaps, 4U);  // the three that the ring lost are among the four that are missing
+}
+
+TEST(RecordingOrder, StepsLostAtTheEndAreCountedThoughNoneFollowsThem) {
+  Begun made;
+  ASSERT_TRUE(made.writer->append(plainStep(0)));
+  ASSERT_TRUE(made.writer->append(plainStep(1)));
+  made.writer->countLost(7);
+  ASSERT_TRUE(made.writer->close());
+  const auto found = Recording::open(made.folder.file());
+  ASSERT_TRUE(found);
+  EXPECT_EQ((*found)->info().samples, 2U);
+  EXPECT_EQ((*found)->info().gaps, 7U);
 }
 
 }  // namespace
