@@ -229,6 +229,39 @@ TEST(SafetyStep, MoreThanFiftyMissedCyclesOfOneSecondHold) {
   }
 }
 
+TEST(SafetyStep, CyclesMissedBeforeTheFirstStepDoNotCount) {
+  Session session;
+  session.inputs.missed_cycles = 1000;
+  session.arm();
+  EXPECT_EQ(session.run(10).telemetry.state, active);
+}
+
+TEST(SafetyStep, ATimeThatRunsBackwardsIsReportedIsNoGapAndBeginsItsSecondAnew) {
+  const auto reversed_s = [](const Outputs& out) -> std::optional<double> {
+    for (const Event& event : out.events.view())
+      if (event.kind == EventKind::time_reversed) return event.value;
+    return std::nullopt;
+  };
+  Session session;
+  session.arm();
+  EXPECT_FALSE(reversed_s(session.step()));
+  EXPECT_FALSE(reversed_s(session.step(milliseconds(0)))) << "twice the same time is none that runs backwards";
+  session.inputs.missed_cycles += 40;
+  session.step();
+  const Outputs& back = session.step(milliseconds(-10'000));
+  EXPECT_EQ(reversed_s(back), 10.0);
+  EXPECT_EQ(back.telemetry.state, active);
+  session.inputs.missed_cycles += 40;
+  const Outputs& after = session.step();
+  EXPECT_FALSE(reversed_s(after)) << "reported once";
+  EXPECT_EQ(after.telemetry.state, active) << "the cycles missed before are not of this second";
+  session.run(1100);
+  session.inputs.missed_cycles += 40;
+  EXPECT_EQ(session.step().telemetry.state, active) << "and this second ends";
+  session.inputs.missed_cycles += 40;
+  EXPECT_EQ(session.step().telemetry.fault, Fault::steps_missed);
+}
+
 TEST(SafetyStep, ALateLoopDoesNotPreventArming) {
   Session session;
   session.run(300);

@@ -316,6 +316,24 @@ TEST_F(Journaled, AnEndedRecordersJournalIsAppliedAndStaysUntilItsPlacesAreSynce
   EXPECT_TRUE(read.foundJournal());
 }
 
+TEST_F(Journaled, WhatAnAppliedJournalMadeLongerIsCommittedToItsNewEnd) {
+  {
+    JournaledFile journaled = fresh();
+    write(journaled, 0, "abcd");
+    ASSERT_EQ(journaled.commit(), 0);
+    write(journaled, 0, "WXYZ");
+    ASSERT_EQ(journaled.commit(), 0);
+  }
+  ASSERT_EQ(::ftruncate(file, static_cast<off_t>(kFirst + 2)), 0);
+  JournaledFile again(file, JournaledFile::Mode::write, true, disk);
+  ASSERT_EQ(again.applyJournal(), 0);
+  EXPECT_EQ(again.size(), kFirst + 4);
+  const std::size_t before = disk->calls.size();
+  write(again, 3, "!");
+  EXPECT_EQ(disk->calls.size(), before) << "it waits for a journal of its own";
+  EXPECT_EQ(textAt(again, 0, 4), "WXY!");
+}
+
 TEST_F(Journaled, OnceACallFailedNothingIsCommittedAnyMore) {
   for (int call = 1; call <= 8; ++call) {
     const bool sync = call > 4;
@@ -339,6 +357,18 @@ TEST_F(Journaled, OnceACallFailedNothingIsCommittedAnyMore) {
     EXPECT_EQ(failing->writes, writes) << "call " << call;
     EXPECT_EQ(failing->syncs, syncs) << "call " << call;
   }
+}
+
+TEST_F(Journaled, WhatAFailedWriteWasToWriteIsStillRead) {
+  const auto failing = std::make_shared<FailingDisk>();
+  JournaledFile journaled(file, JournaledFile::Mode::write, false, failing);
+  write(journaled, 0, "abcd");
+  ASSERT_EQ(journaled.commit(), 0);
+  failing->failing_write = 2;
+  write(journaled, 2, "CDEF");  // across the committed end: the part behind it is written, and fails
+  EXPECT_EQ(failing->writes, 2);
+  EXPECT_EQ(textAt(journaled, 0, 6), "abCDEF") << "HDF5 never hears of a disk that refuses";
+  EXPECT_EQ(journaled.commit(), EIO);
 }
 
 TEST_F(Journaled, TheEndReportsTheErrorOfEachOfItsOwnCalls) {
@@ -366,6 +396,7 @@ TEST_F(Journaled, ALengthThatTheDiskRefusesIsTheNextCommitsError) {
 
 TEST_F(Journaled, ALengthIsOnlyEverMade) {
   JournaledFile journaled = fresh();
+  journaled.reach(kFirst + 10);
   journaled.reach(kFirst + 10);
   journaled.reach(kFirst + 5);
   EXPECT_EQ(journaled.size(), kFirst + 10);
