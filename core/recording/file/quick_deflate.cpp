@@ -20,8 +20,9 @@ const std::uint8_t* bytesOf(std::span<const std::byte> bytes) {
 Result<void> quickDeflate(std::span<const std::byte> plain, std::vector<std::byte>& out) {
   thread_local std::vector<std::uint8_t> workspace(ISAL_DEF_LVL1_DEFAULT);
   thread_local const auto stream = std::make_unique<isal_zstream>();  // too large for a stack
-  out.resize(plain.size() + plain.size() / 8 + kOverhead);
-  if (out.size() > std::numeric_limits<std::uint32_t>::max()) return fail("{} bytes at once", plain.size());
+  const std::size_t room = plain.size() + plain.size() / 8 + kOverhead;
+  if (room > std::numeric_limits<std::uint32_t>::max()) return fail("{} bytes at once", plain.size());
+  out.resize(room);
   isal_deflate_init(stream.get());
   stream->level = kLevel;
   stream->level_buf = workspace.data();

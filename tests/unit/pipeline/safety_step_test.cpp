@@ -429,5 +429,20 @@ TEST(SafetyStep, TheMotorsAreOnInActiveAndHeldOnly) {
   is(stopped, false);
 }
 
+TEST(SafetyStep, ANumberThatIsNoActionOrCommandIsReportedAtMostAndChangesNothing) {
+  // A recording of a later program may hold some.
+  Session session;
+  session.arm();
+  const Parameters before = session.pipeline.parameters();
+  (void)session.inputs.commands.push({.action = static_cast<OperatorAction>(200), .value = 5.0});
+  (void)session.inputs.robot.commands.push(static_cast<RobotCommand>(200));
+  EXPECT_EQ(session.step().telemetry.state, active);
+  EXPECT_EQ(session.step().faults, FaultSet{});
+  EXPECT_EQ(session.pipeline.parameters().texture.k_vib, before.texture.k_vib);
+  EXPECT_EQ(session.pipeline.parameters().step.hand_target_N_per_mm, before.step.hand_target_N_per_mm);
+  EXPECT_TRUE(Pipeline::parameterOf(static_cast<RobotCommand>(200)).empty());
+  EXPECT_TRUE(Pipeline::parameterOf(RobotCommand::resume).empty()) << "a command that sets none";
+}
+
 }  // namespace
 }  // namespace fyd::pipeline

@@ -74,6 +74,13 @@ TEST(Safety, EveryFaultSaysWhatAndWhatToDo) {
   EXPECT_EQ(toString(Fault::none), "nothing missing");
 }
 
+TEST(Safety, EveryStateHasItsNameAndANumberOfNoneSaysSo) {
+  constexpr std::array<std::string_view, kSafetyStateCount> kNames{"Disconnected", "Connected", "Ready",
+                                                                   "Active",       "Held",      "Stopped"};
+  for (std::size_t i = 0; i < kSafetyStateCount; ++i) EXPECT_EQ(toString(static_cast<SafetyState>(i)), kNames[i]);
+  EXPECT_EQ(toString(static_cast<SafetyState>(kSafetyStateCount)), "an unknown state");
+}
+
 TEST(Safety, TheNumbersOfFaultsInFilesStay) {
   // As written by the program that gave them numbers; a new one is added here and never changed.
   const std::map<int, std::string_view> words{

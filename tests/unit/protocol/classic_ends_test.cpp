@@ -1,7 +1,9 @@
 // Both ends of a classic session in virtual time, without sockets.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <string>
 #include <string_view>
@@ -748,6 +750,180 @@ TEST(TouchMapping, AfterAnInterruptionNothingMovesUntilAFingerLeadsOrTheTouchMov
   mapping.resume({5.0, 3.0, -33.0});
   EXPECT_EQ(mapping.apply(touch({5, 3, -11})), (Vec3{5.0, 3.0, -33.0}));
   EXPECT_GT(mapping.apply(touch({5, 3, -10})).z, -33.0);
+}
+
+// --- what is counted, and what the operator is told of it
+
+TEST(ClassicTouchpad, FiguresNameEachRefusalWithItsCount) {
+  Touchpad pad;
+  EXPECT_EQ(pad.end.name(), "classic, not secured");
+  EXPECT_TRUE(std::isnan(pad.end.figures(pad.now).silence_ms)) << "unknown without a robot";
+  static_cast<void>(pad.state());
+  pad.connect();
+  EXPECT_TRUE(std::isnan(pad.end.figures(pad.now).period_ms)) << "one state has no period";
+  static_cast<void>(pad.state());
+  static_cast<void>(pad.ack(kOther));
+  static_cast<void>(pad.state(RobotCommand::none, kOther));
+  static_cast<void>(pad.take(bytes("0'04200:0'04200.\n")));
+  // One of each kind that the page lists, in a packet that is as long as a state.
+  const std::string good = text(encodeState({}));
+  const auto damaged = [&](std::size_t at, char c) {
+    std::string packet = good;
+    packet[at] = c;
+    static_cast<void>(pad.take(bytes(packet)));
+  };
+  damaged(1, '<');                                         // command
+  damaged(2, ';');                                         // separator
+  damaged(3, '2');                                         // sign
+  damaged(5, 'x');                                         // digit
+  damaged(0, '!');                                         // start mark
+  damaged(27, '2');                                        // button, behind the three accelerations
+  damaged(5, '9');                                         // above 65535
+  static_cast<void>(pad.take(bytes(good.substr(0, 40))));  // size
+  pad.wait(3);
+  const LinkFigures figures = pad.end.figures(pad.now);
+  std::map<std::string, std::uint64_t> told;
+  for (const RefusalCount& each : figures.refusals) told[std::string(each.reason)] = each.count;
+  const std::map<std::string, std::uint64_t> expected{
+      {"other address", 1},   {"a second robot", 1},          {"before a handshake", 1}, {"out of turn", 1},
+      {"wrong size", 1},      {"wrong start or end mark", 1}, {"wrong sign", 1},         {"not a digit", 1},
+      {"wrong separator", 1}, {"unknown command", 1},         {"wrong button", 1},       {"number out of range", 1}};
+  EXPECT_EQ(told, expected);
+  EXPECT_EQ(figures.refused, 12U);
+  EXPECT_NEAR(figures.silence_ms, 3.0, 1e-9);
+  EXPECT_GT(figures.period_ms, 0.0);
+  EXPECT_EQ(toString(ClassicRefusal::none), "taken");
+  EXPECT_EQ(toString(static_cast<ClassicRefusal>(99)), "unknown");
+}
+
+TEST(ClassicTouchpad, OnlyStatesOfAFarewellAreAnswered) {
+  Touchpad pad;
+  pad.connect();
+  static_cast<void>(pad.state(RobotCommand::disconnect));
+  static_cast<void>(pad.ack(kOther));
+  std::string damaged = text(encodeState({}));
+  damaged[5] = 'x';
+  EXPECT_EQ(pad.take(bytes(damaged)).replies.size(), 1U) << "a state, though damaged";
+  EXPECT_EQ(pad.take(bytes(std::string_view(damaged).substr(0, 61))).replies.size(), 0U)
+      << "neither its size nor whole";
+  const std::string whole = text(encodeState({}));
+  EXPECT_EQ(pad.take(bytes(std::string_view(whole).substr(0, 60))).replies.size(), 1U) << "whole but for its end marks";
+  static_cast<void>(pad.ack(kRobot));
+  EXPECT_EQ(pad.end.peer(), kOther) << "the other runs";
+  pad.wait(1001);
+  EXPECT_TRUE(pad.ack(kRobot).session_started) << "it comes back and is no longer leaving";
+  EXPECT_EQ(pad.end.peer(), kRobot);
+  static_cast<void>(pad.state());
+  static_cast<void>(pad.state(RobotCommand::disconnect));
+  EXPECT_TRUE(pad.ack(kRobot).session_started) << "said goodbye and began anew";
+}
+
+TEST(ClassicTouchpad, APictureThatIsTooLongIsSentAsNone) {
+  LinkParameters parameters;
+  parameters.classic_images = true;
+  Touchpad pad(parameters);
+  const std::vector<std::uint8_t> large(kClassicMaximumImage + 1, 7);
+  pad.answer.image = large;
+  pad.connect();
+  EXPECT_FALSE(pad.end.imagesOn());
+  EXPECT_THAT(sent(pad.state(RobotCommand::images_on)), ElementsAre(kTouch, "000000"));
+  EXPECT_TRUE(pad.end.imagesOn());
+  EXPECT_EQ(pad.end.counters().images, 0U);
+  EXPECT_TRUE(pad.end.advance(pad.now, pad.answer).empty()) << "the classic touchpad only answers";
+  EXPECT_TRUE(pad.end.farewell(pad.now).empty()) << "and has no goodbye";
+}
+
+/// A robot's end that is answered by hand.
+class AnsweredRobot {
+ public:
+  RobotReception take(std::string_view packet, const Endpoint& from = kTouchpad) {
+    return end.handle(bytes(packet), from, now);
+  }
+  std::span<const Datagram> tick(double ms = 1.0) {
+    now += fromSeconds(ms * 1e-3);
+    return end.tick(now, {});
+  }
+  void connect() {
+    static_cast<void>(tick());
+    static_cast<void>(take("00005"));
+    static_cast<void>(take("board"));
+    ASSERT_TRUE(take("^010^0'04200^1'04200").connected);
+  }
+  Instant now = instantAt(100.0);
+  ClassicRobotEnd end{ClassicRobotSettings{}, kTouchpad};
+};
+
+TEST(ClassicRobot, OfALateTouchTheArrivalIsItsTimeAndOfADueOneHalfTheCycleBefore) {
+  AnsweredRobot robot;
+  EXPECT_EQ(robot.end.problem(), "no touchpad answered");
+  robot.connect();
+  EXPECT_EQ(robot.end.problem(), "");
+  ASSERT_EQ(robot.tick().size(), 1U);
+  const Instant sent = robot.now;
+  robot.now += std::chrono::milliseconds(4);
+  EXPECT_EQ(robot.take(kTouch).touch_seen, sent + std::chrono::milliseconds(2));
+  EXPECT_EQ(robot.take(kTouch).touch_seen, robot.now) << "nothing was due";
+  EXPECT_EQ(robot.end.counters().extra_touches, 1U);
+}
+
+TEST(ClassicRobot, BeforeTheHandshakeAndAfterTheGoodbyeNothingIsTaken) {
+  AnsweredRobot robot;
+  EXPECT_FALSE(robot.take("00005").info);
+  EXPECT_EQ(robot.end.counters().refused, 1U) << "no ACK was sent yet";
+  robot.connect();
+  EXPECT_TRUE(robot.end.command(RobotCommand::disconnect));
+  for (int i = 0; i < 10'000 && robot.end.phase() != RobotPhase::closed; ++i) {
+    static_cast<void>(robot.tick());
+    if (robot.end.replyDue()) static_cast<void>(robot.take(kTouch));
+    if (i == 20) {
+      EXPECT_EQ(robot.end.phase(), RobotPhase::closing);
+      EXPECT_TRUE(robot.end.command(RobotCommand::use_soc)) << "kept, and never sent";
+    }
+  }
+  EXPECT_EQ(robot.end.phase(), RobotPhase::closed);
+  const auto refused = robot.end.counters().refused;
+  EXPECT_FALSE(robot.take(kTouch).touch);
+  EXPECT_EQ(robot.end.counters().refused, refused + 1);
+  EXPECT_TRUE(robot.tick().empty());
+}
+
+TEST(ClassicRobot, ATouchpadThatGoesWhileItClosesIsNotCalledAgain) {
+  AnsweredRobot robot;
+  robot.connect();
+  EXPECT_TRUE(robot.end.command(RobotCommand::disconnect));
+  for (int i = 0; i < 10'000 && robot.end.phase() != RobotPhase::closed; ++i) static_cast<void>(robot.tick());
+  EXPECT_EQ(robot.end.phase(), RobotPhase::closed);
+  EXPECT_EQ(robot.end.counters().acks, 1U);
+}
+
+TEST(ClassicRobot, APictureOfNoBytesEndsTheCycleAndOneThatIsTooLongIsRefused) {
+  AnsweredRobot robot;
+  robot.connect();
+  EXPECT_TRUE(robot.end.command(RobotCommand::images_on));
+  static_cast<void>(robot.tick());
+  EXPECT_TRUE(robot.take(kTouch).touch);
+  EXPECT_TRUE(robot.end.replyDue()) << "the picture's length";
+  static_cast<void>(robot.take("057601"));
+  EXPECT_EQ(robot.end.counters().refused, 1U) << "above its limit";
+  static_cast<void>(robot.take("000000"));
+  EXPECT_FALSE(robot.end.replyDue());
+  static_cast<void>(robot.tick());
+  EXPECT_TRUE(robot.take(kTouch).touch);
+  static_cast<void>(robot.take("000004"));
+  EXPECT_FALSE(robot.take("12345").image);
+  EXPECT_EQ(robot.end.counters().refused, 2U) << "more than was announced";
+  EXPECT_FALSE(robot.take(kTouch.substr(0, 2)).image);
+  EXPECT_TRUE(robot.take("34").image);
+  EXPECT_EQ(robot.end.counters().images, 1U);
+}
+
+TEST(TouchMapping, AboveTheClothATouchIsIgnoredOnlyWithBothXAndY) {
+  TouchMapping mapping;
+  const auto depth = [&](const Vec3& at) { return mapping.goal({.position_mm = at, .in_contact = true}).depth; };
+  EXPECT_FALSE(depth({1, 1, 1})) << "z above 0 together with x and y both other than 0 is ignored";
+  EXPECT_TRUE(depth({1, 0, 1}));
+  EXPECT_TRUE(depth({0, 1, 1}));
+  EXPECT_FALSE(depth({1e308, 0, 1e308})) << "no number once scaled";
 }
 
 }  // namespace

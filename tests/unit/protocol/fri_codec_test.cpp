@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "app/bench/parts/allocation_count.h"
@@ -223,6 +224,20 @@ TEST(FriCodec, NothingAllocates) {
     EXPECT_EQ(decodeFriCommand(encodeFriCommand(command), command), FriRefusal::none);
   }
   EXPECT_EQ(counted.count(), 0U);
+}
+
+TEST(FriCodec, EachStateAndReasonHasItsWord) {
+  std::set<std::string_view> words;
+  for (int i = 0; i < 3; ++i) words.insert(toString(static_cast<FriState>(i)));
+  for (int i = 0; i < 4; ++i) words.insert(toString(static_cast<FriQuality>(i)));
+  for (int i = 0; i < 4; ++i) words.insert(toString(static_cast<FriControl>(i)));
+  for (std::size_t i = 0; i < kFriRefusalCount; ++i) words.insert(toString(static_cast<FriRefusal>(i)));
+  EXPECT_EQ(words.size(), 3U + 4U + 4U + kFriRefusalCount) << "none twice";
+  EXPECT_FALSE(words.contains("unknown"));
+  EXPECT_EQ(toString(static_cast<FriState>(9)), "unknown");
+  EXPECT_EQ(toString(static_cast<FriQuality>(9)), "unknown");
+  EXPECT_EQ(toString(static_cast<FriControl>(9)), "unknown");
+  EXPECT_EQ(toString(static_cast<FriRefusal>(9)), "unknown");
 }
 
 }  // namespace

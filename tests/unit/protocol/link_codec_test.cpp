@@ -111,7 +111,13 @@ TEST(MessageBudget, SaysWhichValueIsWrong) {
     return messageBudget(extent, precision, flow, period, {}).error().text();
   };
   EXPECT_THAT(message({0, 1, 1}, 0.02, 1, 1), ::testing::HasSubstr("every side"));
+  EXPECT_THAT(message({1, 0, 1}, 0.02, 1, 1), ::testing::HasSubstr("every side"));
+  EXPECT_THAT(message({1, 1, -1}, 0.02, 1, 1), ::testing::HasSubstr("every side"));
+  EXPECT_THAT(message({kNaN, 1, 1}, 0.02, 1, 1), ::testing::HasSubstr("every side"));
   EXPECT_THAT(message({1, 1, 1}, 0, 1, 1), ::testing::HasSubstr("precision 0"));
+  EXPECT_THAT(message({1, 1, 1}, kInf, 1, 1), ::testing::HasSubstr("precision inf"));
+  EXPECT_THAT(message({1, 1, 1}, 0.02, kInf, 1), ::testing::HasSubstr("flow inf"));
+  EXPECT_THAT(message({1, 1, 1}, 0.02, 1, kInf), ::testing::HasSubstr("period inf"));
   EXPECT_THAT(message({1, 1, 1}, kNaN, 1, 1), ::testing::HasSubstr("precision"));
   EXPECT_THAT(message({1, 1, 1}, 0.02, -5, 1), ::testing::HasSubstr("flow -5"));
   EXPECT_THAT(message({1, 1, 1}, 0.02, 1, 0), ::testing::HasSubstr("period 0"));

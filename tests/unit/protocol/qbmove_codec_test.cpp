@@ -77,5 +77,19 @@ TEST(QbmoveCodec, RandomBytesNeverHideAFrameForLongerThanOneCouldLast) {
   }
 }
 
+TEST(QbmoveCodec, AFrameTakesNoMoreThanItCanHold) {
+  QbmoveFrame frame;
+  std::size_t taken = 0;
+  while (frame.add(static_cast<std::int16_t>(taken)) && taken < 1'000) ++taken;
+  EXPECT_EQ(2 * taken + frame.payload.size() % 2, frame.payload.size());
+  EXPECT_LT(QbmovePayload::capacity() - frame.payload.size(), 2U);
+  EXPECT_FALSE(frame.add(1));
+  EXPECT_EQ(frame.at(taken - 1), static_cast<std::int16_t>(taken - 1));
+  EXPECT_FALSE(frame.at(taken));
+  const QbmoveFrame one = qbmoveByteFrame(128, 3);
+  ASSERT_EQ(one.payload.size(), 1U);
+  EXPECT_EQ(one.payload[0], 3);
+}
+
 }  // namespace
 }  // namespace fyd::protocol

@@ -6,7 +6,9 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/protocol/registers/drive_state.h"
@@ -221,6 +223,73 @@ TEST(DriveState, NoWordsWhateverLeadFromTheStartToOperationInFewerThanThreeSteps
     drive.control(control_word::kEnableOperation);
     EXPECT_FALSE(drive.energised());
   }
+}
+
+TEST(RegisterCodec, EachProblemIsSaidInItsOwnWords) {
+  DeviceState state;
+  state.status_word = 0x000B;
+  state.ir = {4096, 0, 1};
+  state.motors.encoder_counts = {5000, 2};
+  state.motors.position_duty_percent = {327.67, -1.0};
+  const auto said = [&](StateProblem problem) { return describe(problem, state).text(); };
+  EXPECT_EQ(said(StateProblem::none), "no problem");
+  EXPECT_THAT(said(StateProblem::torn), testing::HasSubstr("sequence numbers differ"));
+  EXPECT_EQ(said(StateProblem::bad_status), "the status word 0x000B names no state");
+  EXPECT_EQ(said(StateProblem::bad_ir), "IR codes 4096, 0, 1, expected 0 to 4095");
+  EXPECT_EQ(said(StateProblem::bad_encoder), "encoder counts 5000, 2, expected 0 to 4095");
+  EXPECT_EQ(said(StateProblem::bad_duty), "position duties 327.67, -1.00 %, expected -100 to 100");
+  EXPECT_EQ(said(static_cast<StateProblem>(99)), "unknown problem");
+}
+
+TEST(RegisterCodec, ACommandOfAWrongLengthOrRateIsRefused) {
+  CommandRegisters registers{};
+  const std::size_t head = encode(DeviceCommand{}, registers);
+  DeviceCommand back;
+  EXPECT_TRUE(decode({registers.data(), head}, back));
+  EXPECT_FALSE(decode({registers.data(), head - 1}, back));
+  EXPECT_FALSE(decode(std::vector<std::uint16_t>(kCommandRegisters + 1), back));
+  registers[5] = 0xFFFF;
+  EXPECT_FALSE(decode({registers.data(), head}, back)) << "more duties a second than there may be";
+}
+
+TEST(DriveState, StatusAndFaultAreSaidInWords) {
+  const std::uint16_t all = status_bit::kVoltageEnabled | status_bit::kWarning | status_bit::kRemote |
+                            status_bit::kInternalLimit | status_bit::kWatchdogExpired;
+  EXPECT_EQ(statusInWords(statusBits(DriveState::operation_enabled) | all),
+            "operation enabled, voltage present, close to the thermal limit, this connection drives, "
+            "limited by the device, heartbeat expired");
+  EXPECT_EQ(statusInWords(0x000B), "no known state");
+  EXPECT_EQ(toString(DriveFault::none), "none");
+  EXPECT_EQ(toString(DriveFault::undervoltage), "supply undervoltage");
+  EXPECT_EQ(toString(DriveFault::over_temperature), "motor over-temperature");
+  EXPECT_EQ(toString(DriveFault::heartbeat), "heartbeat lost");
+  EXPECT_EQ(toString(static_cast<DriveFault>(99)), "unknown fault");
+  EXPECT_EQ(toString(static_cast<RegisterType>(99)), "?");
+}
+
+TEST(DriveState, EachStepOfTheWayUpAndDownIsTakenByItsOwnWordOnly) {
+  // CiA 402: 6 shutdown, 7 switch on, 15 enable operation.
+  const auto after = [](std::initializer_list<std::uint16_t> words) {
+    Drive drive;
+    for (const std::uint16_t word : words) drive.control(word);
+    return drive.state();
+  };
+  EXPECT_EQ(after({6}), DriveState::ready_to_switch_on);
+  EXPECT_EQ(after({6, 15}), DriveState::ready_to_switch_on) << "not two steps at once";
+  EXPECT_EQ(after({6, 7}), DriveState::switched_on);
+  EXPECT_EQ(after({6, 7, 6}), DriveState::ready_to_switch_on);
+  EXPECT_EQ(after({6, 7, 15, 7}), DriveState::switched_on);
+  EXPECT_EQ(after({6, 7, 15, 6}), DriveState::ready_to_switch_on);
+  EXPECT_EQ(after({6, 7, 2}), DriveState::switch_on_disabled) << "quick stop before operation";
+  EXPECT_EQ(after({6, 7, 15, 2, 2}), DriveState::quick_stop_active);
+  Drive failed;
+  failed.fail(DriveFault::heartbeat);
+  EXPECT_EQ(nextControlWord(failed.state(), true, true), control_word::kFaultReset);
+  for (const DriveState waits :
+       {DriveState::not_ready_to_switch_on, DriveState::quick_stop_active, DriveState::fault_reaction_active}) {
+    EXPECT_EQ(nextControlWord(waits, true, true), control_word::kDisableVoltage);
+  }
+  EXPECT_EQ(nextControlWord(static_cast<DriveState>(99), true, true), control_word::kDisableVoltage);
 }
 
 }  // namespace
