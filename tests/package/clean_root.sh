@@ -50,7 +50,7 @@ everything() {
 
 say "What the packages need"
 quietly apt-get update
-needs=$(for each in /packages/new/*.deb; do dpkg-deb -f "$each" Depends; done | tr ',' '\n' | sed 's/^ *//' |
+needs=$(for each in /packages/new/*.deb; do dpkg-deb -f "$each" Depends; done | tr ',' '\n' | sed 's/^ *//; /^$/d' |
   grep -vE "^($(echo $names | tr ' ' '|')) " | sort -u | paste -sd,)
 quietly apt-get satisfy -y --no-install-recommends "$needs"
 useradd --create-home person
