@@ -97,16 +97,17 @@ class Felt(fyd.Case):
             self.assertGreaterEqual(mean(run["envelope"] for run in runs), .93, name)
 
     def test_constants_that_are_30_percent_wrong(self):
-        for factor in (0.7, 1.3):
-            runs = self.jobs(self.surfaces, factor=factor)
+        for factor, surfaces in ((0.7, self.surfaces[::2]), (1.3, self.surfaces[1::2])):
+            runs = self.jobs(surfaces, factor=factor)
             print(f"constants × {factor}: match {mean(r['match'] for r in runs):.3f}")
             self.assertGreaterEqual(mean(run["match"] for run in runs), .62)
             self.assertLessEqual(max(max(run["duty_rms"]) for run in runs), 40)
 
     def test_level_grows_with_the_surface(self):
+        runs = self.jobs([n for n in self.names if n.startswith("level_")], breakaways=(5, 25), resonances=(40, 110))
         for b, f0 in itertools.product((5, 25), (40, 110)):
-            levels = [run["level_g"] for run in
-                      self.jobs([n for n in self.names if n.startswith("level_")], breakaways=(b,), resonances=(f0,))]
+            levels = [run["level_g"] for run in runs if (run["b"], run["f0"]) == (b, f0)]
+            self.assertGreater(len(levels), 2)
             self.assertEqual(levels, sorted(levels), (b, f0))
             self.assertGreater(levels[-1] / levels[0], 10 ** (9 / 20), (b, f0))
 
