@@ -324,6 +324,7 @@ class TuneTest : public QObject {
              qPrintable(f.page->response()->ground()));
     hear(5.5, 4000);
     WAIT_FOR(f.page->response()->ground().contains(QStringLiteral("5.")));
+    WAIT_FOR(f.session->telemetry.empty());  // taken in portions: none is left to speak for the former touchpad
     f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});  // of another it is not known yet
     WAIT_FOR(f.page->response()->ground().contains(none));
   }
@@ -555,6 +556,8 @@ class TuneTest : public QObject {
     QVERIFY(words.contains(QStringLiteral("The motor board is silent")));
     QVERIFY(words.contains(QStringLiteral("Check the touchpad's power and its serial cable.")));
     QCOMPARE(list->findChildren<QToolButton*>().size(), 2);
+    const auto* by_hand = list->findChild<QToolButton*>(QStringLiteral("mend_session.target_by_hand"));
+    WAIT_FOR(by_hand->isVisible());  // laid out with the next event
     click(list->findChild<QToolButton*>(QStringLiteral("mend_session.target_by_hand")));
     QCOMPARE(f.session->count(pipeline::OperatorAction::target_by_hand), 1);
     click(list->findChild<QToolButton*>(QStringLiteral("mend_place.devices")));
