@@ -178,9 +178,8 @@ class ConnectionTest : public QObject {
     WAIT_EQUAL(f.window->notices()->count(), 1);
     QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("bad by the script")));
     WAIT_FOR(f.window->connection().work().isEmpty());
-    f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});
-    WAIT_EQUAL(f.session->present.touchpad, std::string("modbus-tcp:10.0.0.7:502"));
-    WAIT_FOR(f.window->connection().work().isEmpty());
+    changeDevices(f, {.touchpad = "modbus-tcp:10.0.0.7:502"});
+    QCOMPARE(f.session->present.touchpad, std::string("modbus-tcp:10.0.0.7:502"));
     QCOMPARE(f.window->notices()->count(), 1);
     QVERIFY(f.window->notices()->text(0).contains(QStringLiteral("Connected")));
     // Of the new session nothing is known yet, least of all that it is ready.

@@ -2,7 +2,7 @@
 #include "app/console/shell/options.h"
 #include "app/console/shell/views.h"
 #include "app/console/window/places.h"
-#include "tests/widgets/scripted_session.h"
+#include "tests/widgets/hands.h"
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
@@ -303,12 +303,9 @@ class ConsoleTest : public QObject {
     const QAction* card = f.window->commands().action(QStringLiteral("session.finger_card"));
     QVERIFY(pressed() && f.window->operate()->finger()->isVisible() && card->isEnabled());
     const auto connect_to = [&](const char* touchpad, std::string_view identity) {
-      f.session->say(SafetyState::ready);
-      f.window->feed().pump();
       f.session->profile.calibrated_on = identity;
-      f.window->connection().change({.touchpad = touchpad});
-      WAIT_EQUAL(f.session->present.touchpad, std::string(touchpad));
-      WAIT_FOR(f.window->connection().work().isEmpty());
+      changeDevices(f, {.touchpad = touchpad});
+      QCOMPARE(f.session->present.touchpad, std::string(touchpad));
     };
     connect_to("modbus-tcp:10.0.0.7:502", "FYD-0007");
     QVERIFY(!pressed() && !f.window->operate()->finger()->isVisible() && !card->isEnabled());

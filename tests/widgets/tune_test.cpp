@@ -63,10 +63,8 @@ class TuneTest : public QObject {
     TuneFixture f;
     const QComboBox* sources = f.page->proposal()->sources();
     QCOMPARE(sources->count(), 2);
-    f.session->say(pipeline::SafetyState::ready);
-    f.window->feed().pump();
     f.session->profile.calibrated_on = "FYD-0007";
-    f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});
+    changeDevices(f, {.touchpad = "modbus-tcp:10.0.0.7:502"});
     WAIT_EQUAL(sources->count(), 1);
     QVERIFY(sources->itemText(0).contains(QStringLiteral("this session")));
     QVERIFY(!f.page->study().proposal());
@@ -324,6 +322,8 @@ class TuneTest : public QObject {
              qPrintable(f.page->response()->ground()));
     hear(5.5, 4000);
     WAIT_FOR(f.page->response()->ground().contains(QStringLiteral("5.")));
+    changeDevices(f, {.touchpad = "modbus-tcp:10.0.0.7:502"});  // of another it is not known yet
+    WAIT_FOR(f.page->response()->ground().contains(none));
   }
 
   void whatTheLoopsModelCallsUnstableIsAskedFirst() {
