@@ -80,6 +80,14 @@ class Journaled : public testing::Test {
   static void write(JournaledFile& to, std::uint64_t at, std::string_view text) {
     to.write(kFirst + at, bytesOf(text));
   }
+  /// "abcd", committed, and then `over` at its beginning, committed too: what a writer that ended leaves.
+  void leaveJournalOf(std::string_view over) {
+    JournaledFile journaled = fresh();
+    write(journaled, 0, "abcd");
+    ASSERT_EQ(journaled.commit(), 0);
+    write(journaled, 0, over);
+    ASSERT_EQ(journaled.commit(), 0);
+  }
 
   Folder folder;
   std::string path = folder.file("journaled");
@@ -211,13 +219,7 @@ TEST_F(Journaled, AfterAnyCutWithAnyPartOfWhatWasNotSyncedItIsOneOfTheCommits) {
 }
 
 TEST_F(Journaled, AJournalWithOneWrongBitIsNone) {
-  {
-    JournaledFile journaled = fresh();
-    write(journaled, 0, "abcd");
-    ASSERT_EQ(journaled.commit(), 0);
-    write(journaled, 0, "X");
-    ASSERT_EQ(journaled.commit(), 0);
-  }
+  leaveJournalOf("X");
   DiskCalls plain;
   ASSERT_EQ(plain.write(file, bytesOf(std::string_view("a")), kFirst), 0);  // its place was not reached
   const Bytes journal = disk->calls[3].bytes;
@@ -295,13 +297,7 @@ TEST_F(Journaled, AJournalIsWrittenAsTheFormatsPageSays) {
 }
 
 TEST_F(Journaled, AnEndedRecordersJournalIsAppliedAndStaysUntilItsPlacesAreSynced) {
-  {
-    JournaledFile journaled = fresh();
-    write(journaled, 0, "abcd");
-    ASSERT_EQ(journaled.commit(), 0);
-    write(journaled, 0, "X");
-    ASSERT_EQ(journaled.commit(), 0);
-  }
+  leaveJournalOf("X");
   DiskCalls plain;
   ASSERT_EQ(plain.write(file, bytesOf("a"), kFirst), 0);
   disk->calls.clear();
@@ -317,13 +313,7 @@ TEST_F(Journaled, AnEndedRecordersJournalIsAppliedAndStaysUntilItsPlacesAreSynce
 }
 
 TEST_F(Journaled, WhatAnAppliedJournalMadeLongerIsCommittedToItsNewEnd) {
-  {
-    JournaledFile journaled = fresh();
-    write(journaled, 0, "abcd");
-    ASSERT_EQ(journaled.commit(), 0);
-    write(journaled, 0, "WXYZ");
-    ASSERT_EQ(journaled.commit(), 0);
-  }
+  leaveJournalOf("WXYZ");
   ASSERT_EQ(::ftruncate(file, static_cast<off_t>(kFirst + 2)), 0);
   JournaledFile again(file, JournaledFile::Mode::write, true, disk);
   ASSERT_EQ(again.applyJournal(), 0);
