@@ -32,6 +32,9 @@ class SoakRobot {
 
   /// What the arm is told, after its limits.
   [[nodiscard]] const Vec3& commanded_mm() const { return arm_->commanded_mm(); }
+  /// Whether datagrams arrive with other numbers than were sent: the classic protocol has no check of its own (UDP's would
+  /// drop them), so that the arm goes where they say.
+  [[nodiscard]] bool misled() const { return protocol_ == Protocol::classic && damaged_share_ > 0.0; }
   /// Of its program, which then stands at a start of its own.
   [[nodiscard]] int starts() const { return starts_; }
 

@@ -20,9 +20,7 @@ constexpr double kLongest_s = 30.0;
 constexpr double kBetweenFaults_ms = 1200.0;
 // The touches under way, a prediction that ends (150 ms without a touch), and its way to rest.
 constexpr Duration kArmRests = milliseconds(2500);
-// Where a finger goes on pressing, the prediction of its depth still changes a little then: it expects the hand back at the
-// middle of its motion, less and less. An arm such as the robot's returns to a place within 0.1 mm.
-constexpr double kStill_mm = 0.1;
+constexpr double kStill_mm = 0.01;
 
 const sim::FingerPath& fingerOf(Chance& chance) {
   static const std::vector<sim::FingerPath> kFingers = [] {
@@ -134,6 +132,7 @@ void runSession(std::uint64_t number, Chance& chance, const std::string& folder,
   pipeline::Outputs outputs;
   Vec3 arm_mm;
   bool arm_rests = false;
+  Instant misled = start;  // last
   int arm_starts = 0;
   std::uint64_t pictures = 0;
   Instant now = start;
@@ -178,7 +177,8 @@ void runSession(std::uint64_t number, Chance& chance, const std::string& folder,
     inputs.robot.accelerations.clear();
     if (protocol == Protocol::none) continue;
     // Whatever the network still brings: an arm is not moved by a touchpad that is not Active.
-    if (checks.quiet(now) < kArmRests || robot.starts() != arm_starts) {
+    if (robot.misled()) misled = now;
+    if (checks.quiet(now) < kArmRests || now - misled < kArmRests || robot.starts() != arm_starts) {
       arm_rests = false;
       arm_starts = robot.starts();
     } else if (!arm_rests) {
