@@ -1,6 +1,7 @@
 // A disk that runs full while it is recorded to: the recording ends before it does, whole, and says so.
 #include <csignal>
 #include <filesystem>
+#include <thread>
 
 #include <sys/resource.h>
 
@@ -41,7 +42,11 @@ TEST_F(RecorderOnADiskThatRunsFull, EndsWholeBeforeItWithAnAlarmAndCanBeginAgain
   ASSERT_EQ(recorder->status().state, RecorderState::recording);
   {
     const RoomFor little(recorder->status().bytes + 9'000'000);
-    for (int i = 0; i < 1000 && recorder->status().state == RecorderState::recording; ++i) run(0.1);
+    // As slowly as in a session: the room is looked at once a second, and must not be used up before.
+    for (int i = 0; i < 1000 && recorder->status().state == RecorderState::recording; ++i) {
+      run(0.02);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
   }
   const RecorderStatus status = recorder->status();
   {
