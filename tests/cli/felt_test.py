@@ -97,8 +97,8 @@ class Felt(fyd.Case):
             self.assertGreaterEqual(mean(run["envelope"] for run in runs), .93, name)
 
     def test_constants_that_are_30_percent_wrong(self):
-        for factor, surfaces in ((0.7, self.surfaces[::2]), (1.3, self.surfaces[1::2])):
-            runs = self.jobs(surfaces, factor=factor)
+        for factor in (0.7, 1.3):
+            runs = self.jobs(self.surfaces, factor=factor)
             print(f"constants × {factor}: match {mean(r['match'] for r in runs):.3f}")
             self.assertGreaterEqual(mean(run["match"] for run in runs), .62)
             self.assertLessEqual(max(max(run["duty_rms"]) for run in runs), 40)
