@@ -13,6 +13,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "core/base/codecs/codecs.h"
 #include "core/export/export_csv_text.h"
 #include "core/export/export_mcap_schemas.h"
 #include "core/export/export_selection.h"
@@ -151,8 +152,8 @@ class McapExport {
     const cv::Mat& pixels = options_.region ? picture_->region : picture_->whole;
     if (!pixels.empty() && inRange(options_, picture_->time_s)) {
       std::vector<std::uint8_t> coded;
-      const bool ok = options_.region ? cv::imencode(".png", pixels, coded)
-                                      : cv::imencode(".jpg", pixels, coded, {cv::IMWRITE_JPEG_QUALITY, 95});
+      const bool ok = options_.region ? codecs::encodePicture(".png", pixels, coded)
+                                      : codecs::encodePicture(".jpg", pixels, coded, {cv::IMWRITE_JPEG_QUALITY, 95});
       if (!ok) return fail("picture {} cannot be coded", picture_->number);
       std::string data(sodium_base64_encoded_len(coded.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
       sodium_bin2base64(data.data(), data.size(), coded.data(), coded.size(), sodium_base64_VARIANT_ORIGINAL);

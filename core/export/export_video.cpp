@@ -7,9 +7,11 @@
 #include <opencv2/videoio.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/codecs/codecs.h"
 #include "core/base/median.h"
 #include "core/export/export_csv_text.h"
 #include "core/export/export_selection.h"
@@ -55,14 +57,13 @@ class FrameWriter {
       : path_(std::move(path)), lossless_(lossless), rate_Hz_(rate_Hz) {}
 
   Result<void> show(const cv::Mat& picture, std::uint64_t times) {
-    if (!writer_.isOpened()) {
+    if (!writer_) {
       size_ = picture.size();
       colour_ = picture.channels() == 3;
-      const int codec =
-          lossless_ ? cv::VideoWriter::fourcc('F', 'F', 'V', '1') : cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+      constexpr std::array kLossless{'F', 'F', 'V', '1'}, kSmall{'M', 'J', 'P', 'G'};
       const cv::Size even(size_.width + size_.width % 2, size_.height + size_.height % 2);
-      if (!writer_.open(path_, cv::CAP_FFMPEG, codec, rate_Hz_, even,
-                        {cv::VIDEOWRITER_PROP_IS_COLOR, colour_ ? 1 : 0})) {
+      writer_ = codecs::videoWriter(path_, lossless_ ? kLossless : kSmall, rate_Hz_, even, colour_);
+      if (!writer_->isOpened()) {
         return fail("no video can be written: OpenCV has no coder for it, or the disk is full");
       }
     }
@@ -74,17 +75,18 @@ class FrameWriter {
     if (picture.channels() == 3 && !colour_) cv::cvtColor(picture, frame, cv::COLOR_BGR2GRAY);
     if (picture.channels() == 1 && colour_) cv::cvtColor(picture, frame, cv::COLOR_GRAY2BGR);
     cv::copyMakeBorder(frame, frame, 0, size_.height % 2, 0, size_.width % 2, cv::BORDER_REPLICATE);
-    for (std::uint64_t i = 0; i < times; ++i) writer_.write(frame);
+    for (std::uint64_t i = 0; i < times; ++i) writer_->write(frame);
     frames_ += times;
     return {};
   }
 
   /// OpenCV does not report a failed write: the file is read again, and must hold every frame.
   Result<void> finish(const recording::Progress& progress) {
-    writer_.release();
-    cv::VideoCapture reader(path_, cv::CAP_FFMPEG);
+    writer_.reset();
+    const auto reader = codecs::videoCapture();
+    reader->open(path_, cv::CAP_FFMPEG);
     std::uint64_t found = 0;
-    while (reader.grab()) {
+    while (reader->grab()) {
       const double done = static_cast<double>(++found) / static_cast<double>(std::max(found, frames_));
       if (auto told = recording::tellProgress(progress, done); !told) return told;
     }
@@ -98,7 +100,7 @@ class FrameWriter {
   std::string path_;
   bool lossless_;
   double rate_Hz_;
-  cv::VideoWriter writer_;
+  std::unique_ptr<cv::VideoWriter> writer_;
   cv::Size size_;
   bool colour_ = false;
   std::uint64_t frames_ = 0;

@@ -3,8 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgcodecs.hpp>
 
+#include "core/base/codecs/codecs.h"
 #include "core/base/profile_text.h"
 #include "core/device/touchpad/reading_values.h"
 #include "core/scene/scene_stage.h"
@@ -86,7 +86,7 @@ void Station::Impl::onPicture(const CameraView& view) {
   recorder.offerPicture(view.picture, view.region, view.finger, view.taken, view.number);
   if (link && link->wantsImages()) {
     std::vector<std::uint8_t> encoded;
-    cv::imencode(".jpg", view.picture, encoded);
+    codecs::encodePicture(".jpg", view.picture, encoded);
     link->offerImage(std::move(encoded));
   }
   errors.addPicture(view);
@@ -129,6 +129,7 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   if (options.camera.empty() && replay::recordingOf(options.touchpad)) options.camera = options.touchpad;
   const auto bound = bindToTouchpad(options);
   if (!bound) return tl::unexpected(bound.error());
+  if (const auto loaded = codecs::load(); !loaded) return tl::unexpected(loaded.error());  // not in the camera's thread
   cv::setNumThreads(1);  // replay must not depend on how many cores there are
   auto finger = readFinger(options.finger_csv);
   if (!finger) return tl::unexpected(finger.error());

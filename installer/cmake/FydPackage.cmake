@@ -32,7 +32,7 @@ install(FILES "${PROJECT_SOURCE_DIR}/installer/udev/70-fyd-touchpad.rules" DESTI
 string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
 if("${CMAKE_CXX_FLAGS} ${${flags}}" MATCHES "(^| )-g")
   set(binaries "")
-  foreach(target fyd fyd-console fyd_library fyd_python)
+  foreach(target fyd fyd-console fyd_library fyd_codecs fyd_python)
     if(TARGET ${target})
       string(APPEND binaries " \"$<TARGET_FILE:${target}>\"")
     endif()
@@ -70,7 +70,7 @@ macro(fyd_package component name section)
   endif()
 endmacro()
 
-set(same "(= ${PROJECT_VERSION}-${revision})")
+set(same "(= ${PROJECT_VERSION}-${revision})")  # all load the coders of libfyd0, which no binary is linked to
 fyd_package(console fyd-console science DEPENDS "fyd ${same}" RECOMMENDS "qt6-translations-l10n" SUGGESTS "qt6-wayland"
   TEXT "operator's window of the FYD Touchpad, a fabric haptic display
 The FYD Touchpad lets a person touch something that is far away: two motors
@@ -80,7 +80,7 @@ touches, and shake it so that the finger feels the texture.
 This package has the window: sessions, calibration, tuning, review and replay
 of recordings, in English, Italian and French, with the manual. Without any
 hardware it runs on a simulated touchpad and robot.")
-fyd_package(program fyd science SUGGESTS "fyd-console, postgresql"
+fyd_package(program fyd science DEPENDS "libfyd0 ${same}" SUGGESTS "fyd-console, postgresql"
   TEXT "command line of the FYD Touchpad, a fabric haptic display
 The FYD Touchpad lets a person touch something that is far away: two motors
 stretch a cloth until it feels as soft or as stiff as what a remote robot
@@ -97,7 +97,8 @@ The computing part of FYD Console for other programs: textures from
 accelerations, stiffness control, predictors for late networks, contact with
 meshes, recordings and their bit-exact replay.
 
-This package has the shared library.")
+This package has the shared library, and the coders of pictures and videos,
+which the programs load too.")
 fyd_package(development libfyd-dev libdevel
   DEPENDS "libfyd0 ${same}" libfmt-dev libexpected-dev libeigen3-dev libopencv-dev
   TEXT "haptic algorithms of the FYD Touchpad (development files)
@@ -115,7 +116,7 @@ if("python" IN_LIST fyd_components)  # built for Debian's own interpreter, of ex
 endif()
 fyd_package(python python3-fyd python
   SUGGESTS fyd
-  DEPENDS "python3 (>= ${python_this}~)" "python3 (<< ${python_next})" python3-numpy
+  DEPENDS "python3 (>= ${python_this}~)" "python3 (<< ${python_next})" python3-numpy "libfyd0 ${same}"
   EXTRA "${package_files}/python3-fyd/postinst" "${package_files}/python3-fyd/prerm"
   TEXT "haptic algorithms of the FYD Touchpad (Python module)
 Recordings of the FYD Touchpad as NumPy arrays with units, their replay with

@@ -33,6 +33,7 @@ NEIGHBOURS = {("core/calibration", "core/sensing"), ("core/calibration", "core/c
               ("core/scene", "core/texture")}
 # The folders inside a module, lowest first; "" is the module's own folder. Folders of one line stand beside each other.
 FOLDERS = {
+    "core/base": [[""], ["codecs"]],
     "core/texture": [["felt"], [""]],
     "core/scene": [["mesh"], ["contact", "soft", "gesture"], [""]],
     "core/teleop": [["prediction", "coupling"], [""]],

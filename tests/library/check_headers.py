@@ -8,6 +8,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 STABILITY = re.compile(r"^// Stability: (stable since \d+\.\d+|may change)$", re.M)
 
@@ -26,11 +27,33 @@ def stability_problem(name, text):
     return None
 
 
+def others(folder, name, found=None):
+    """What a header includes of other libraries, itself or through ours."""
+    found = {} if found is None else found
+    if name not in found:
+        found[name] = None
+        for line in re.findall(r'^#include ["<]([^">]+)[">]', (folder / name).read_text(encoding="utf-8"), re.M):
+            if (folder / line).exists():
+                others(folder, line, found)
+            elif "/" in line:  # of the standard library none stands in a folder
+                found[line] = None
+    return tuple(each for each in found if not (folder / each).exists())
+
+
 def compile_problem(compiler, flags, name):
     source = f'#include "{name}"\n'
     done = subprocess.run([compiler, *flags, "-fsyntax-only", "-x", "c++", "-"], input=source,
                           capture_output=True, text=True)
     return None if done.returncode == 0 else f"{name} does not compile alone:\n{done.stderr}"
+
+
+def precompiled(compiler, flags, libraries, place):
+    """The flags by which what a header includes of other libraries is read but once for all that include the same."""
+    head = place / "head.h"
+    place.mkdir()
+    head.write_text("".join(f"#include <{each}>\n" for each in libraries))
+    subprocess.run([compiler, *flags, "-w", "-x", "c++-header", head, "-o", f"{head}.gch"], check=True)
+    return [*flags, "-Winvalid-pch", "-Werror=invalid-pch", "-include", str(head)]
 
 
 def check(listed):
@@ -46,8 +69,15 @@ def check(listed):
     flags = subprocess.run(["pkg-config", "--cflags", "fyd"], env=environment, check=True, capture_output=True,
                            text=True).stdout.split()
     alone = [name for name in installed if not is_list((folder / name).read_text(encoding="utf-8"))]
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        found += filter(None, pool.map(lambda name: compile_problem(os.environ["CXX"], flags, name), alone))
+    compiler = os.environ["CXX"]
+    sets = {}
+    for name in alone:
+        sets.setdefault(tuple(sorted(others(folder, name))), []).append(name)
+    with tempfile.TemporaryDirectory() as scratch, concurrent.futures.ThreadPoolExecutor(2) as pool:
+        places = {libraries: pathlib.Path(scratch) / str(i) for i, libraries in enumerate(sets)}
+        ready = dict(zip(sets, pool.map(lambda each: precompiled(compiler, flags, each, places[each]), sets)))
+        tasks = [(name, ready[libraries]) for libraries, names in sets.items() for name in names]
+        found += filter(None, pool.map(lambda task: compile_problem(compiler, task[1], task[0]), tasks))
     return found
 
 

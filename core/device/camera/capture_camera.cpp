@@ -7,6 +7,8 @@
 
 #include <opencv2/core/utils/logger.hpp>
 
+#include "core/base/codecs/codecs.h"
+
 namespace fyd::device {
 namespace {
 
@@ -73,18 +75,18 @@ Message CaptureCamera::description() const {
 
 void CaptureCamera::openDevice(const std::string& path) {
   if (number_) {
-    capture_.open(*number_, cv::CAP_V4L2);
+    capture_->open(*number_, cv::CAP_V4L2);
   } else {
-    capture_.open(path, cv::CAP_V4L2);
+    capture_->open(path, cv::CAP_V4L2);
   }
 }
 
 void CaptureCamera::setUpDevice() {  // the thesis' format; a camera without it keeps its own
-  capture_.set(cv::CAP_PROP_FRAME_WIDTH, 320);
-  capture_.set(cv::CAP_PROP_FRAME_HEIGHT, 240);
-  capture_.set(cv::CAP_PROP_FPS, kUsualRate_Hz);
-  controls_ = applyControls(settings_, {.set = [this](int what, double share) { return capture_.set(what, share); },
-                                        .get = [this](int what) { return capture_.get(what); }});
+  capture_->set(cv::CAP_PROP_FRAME_WIDTH, 320);
+  capture_->set(cv::CAP_PROP_FRAME_HEIGHT, 240);
+  capture_->set(cv::CAP_PROP_FPS, kUsualRate_Hz);
+  controls_ = applyControls(settings_, {.set = [this](int what, double share) { return capture_->set(what, share); },
+                                        .get = [this](int what) { return capture_->get(what); }});
 }
 
 Result<void> CaptureCamera::openCapture() {
@@ -92,17 +94,18 @@ Result<void> CaptureCamera::openCapture() {
   const auto path = kind_ == CaptureKind::device ? resolveDevice(source_, by_id_) : source_;
   if (!path) return fail("camera: {}", path.error().message);
   try {
+    if (!capture_) capture_ = codecs::videoCapture();
     // The backend is named, because OpenCV otherwise also tries GStreamer, which scans its plugins and leaks.
     switch (kind_) {
       case CaptureKind::device: openDevice(*path); break;
-      case CaptureKind::video: capture_.open(source_, cv::CAP_FFMPEG); break;
+      case CaptureKind::video: capture_->open(source_, cv::CAP_FFMPEG); break;
       case CaptureKind::stream:
-        capture_.open(source_, cv::CAP_FFMPEG,
-                      {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenTimeout_ms,  //
-                       cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadTimeout_ms});
+        capture_->open(source_, cv::CAP_FFMPEG,
+                       {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kOpenTimeout_ms,  //
+                        cv::CAP_PROP_READ_TIMEOUT_MSEC, kReadTimeout_ms});
         break;
     }
-    if (!capture_.isOpened()) {
+    if (!capture_->isOpened()) {
       static constexpr std::array<std::string_view, 3> kExpected = {
           sentence("expected a camera that Video4Linux can read, and the right to open it"),
           sentence("expected a video that FFmpeg can decode"),
@@ -116,12 +119,12 @@ Result<void> CaptureCamera::openCapture() {
       controls_ =
           noControls(settings_, kind_ == CaptureKind::video ? say("a video file has none") : say("a stream has none"));
     }
-    size_ = {static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH)),
-             static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT))};
-    if (kind_ == CaptureKind::video && frames_ == 0) pacer_ = Pacer(capture_.get(cv::CAP_PROP_FPS));
+    size_ = {static_cast<int>(capture_->get(cv::CAP_PROP_FRAME_WIDTH)),
+             static_cast<int>(capture_->get(cv::CAP_PROP_FRAME_HEIGHT))};
+    if (kind_ == CaptureKind::video && frames_ == 0) pacer_ = Pacer(capture_->get(cv::CAP_PROP_FPS));
     takeJpegsUndecoded();
   } catch (const cv::Exception& problem) {
-    capture_.release();
+    if (capture_) capture_->release();
     return fail("{}: does not open: {}", name(), verbatim(problem.err));
   }
   return {};
@@ -129,14 +132,14 @@ Result<void> CaptureCamera::openCapture() {
 
 /// Requests undecoded JPEGs: OpenCV and FFmpeg decode a damaged one without an error.
 void CaptureCamera::takeJpegsUndecoded() {
-  jpegs_ = meansJpeg(capture_.get(cv::CAP_PROP_FOURCC)) &&
-           (kind_ == CaptureKind::device ? capture_.set(cv::CAP_PROP_CONVERT_RGB, 0)
-                                         : capture_.set(cv::CAP_PROP_FORMAT, -1));
+  jpegs_ = meansJpeg(capture_->get(cv::CAP_PROP_FOURCC)) &&
+           (kind_ == CaptureKind::device ? capture_->set(cv::CAP_PROP_CONVERT_RGB, 0)
+                                         : capture_->set(cv::CAP_PROP_FORMAT, -1));
 }
 
 bool CaptureCamera::grab(cv::Mat& out) {
   try {
-    return capture_.read(out) && !out.empty();
+    return capture_->read(out) && !out.empty();
   } catch (const cv::Exception&) {
     return false;
   }
@@ -161,19 +164,19 @@ CaptureCamera::Got CaptureCamera::read(cv::Mat& picture) {
 }
 
 Result<void> CaptureCamera::rewind() {
-  capture_.release();
+  capture_->release();
   return openCapture();
 }
 
 tl::unexpected<Error> CaptureCamera::ended() {
-  capture_.release();
+  capture_->release();
   last_attempt_ = Clock::now();
   return kind_ == CaptureKind::video ? fail("{}: holds no picture", name())
                                      : fail("{}: gives no picture any more", name());
 }
 
 Result<CameraFrame> CaptureCamera::next() {
-  if (!capture_.isOpened()) {
+  if (!capture_->isOpened()) {
     std::this_thread::sleep_until(last_attempt_ + kRetryAfter);
     if (const auto opened = openCapture(); !opened) return tl::unexpected(opened.error());
   }

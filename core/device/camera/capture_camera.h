@@ -1,6 +1,7 @@
 // Capture devices, video files and streams through OpenCV's VideoCapture.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -64,7 +65,7 @@ class CaptureCamera final : public Camera {
   std::string by_id_;  // folder of the stable device names
   std::vector<CameraControl> controls_;
   Pacer pacer_;
-  cv::VideoCapture capture_;
+  std::unique_ptr<cv::VideoCapture> capture_;  // there from the first time it is opened
   cv::Size size_;
   bool jpegs_ = false;  // the source delivers them undecoded
   DamageWatch watch_;

@@ -6,6 +6,7 @@
 #include <turbojpeg.h>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/base/codecs/codecs.h"
 #include "core/base/whole_file.h"
 
 namespace fyd::device {
@@ -59,7 +60,7 @@ Result<cv::Mat> readPicture(const std::string& path) {
   if (bytes.empty()) return refused();
   cv::Mat picture;
   try {  // these decoders refuse a file that is cut short; PNG has checksums besides
-    picture = cv::imdecode(cv::_InputArray(bytes.data(), static_cast<int>(bytes.size())), cv::IMREAD_ANYCOLOR);
+    picture = codecs::decodePicture(bytes, cv::IMREAD_ANYCOLOR);
   } catch (const cv::Exception&) {  // larger than OpenCV's limit
     picture.release();
   }

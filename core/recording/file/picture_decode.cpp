@@ -4,6 +4,7 @@
 #include <array>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/base/codecs/codecs.h"
 #include "core/recording/file/recording_hdf5.h"
 
 namespace fyd::recording {
@@ -70,8 +71,7 @@ cv::Mat decodePicture(Bytes bytes, const char* what) {
     failHard("{}: {} × {} pixels; at most {} are read", what, size->width, size->height, kMostPixels);
   cv::Mat picture;
   try {
-    picture = cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data())),
-                           cv::IMREAD_UNCHANGED);
+    picture = codecs::decodePicture(bytes, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
     failHard(about(what, verbatim(error.what())));
   }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <opencv2/imgcodecs.hpp>
 #include <string_view>
 
 #include "core/base/checksum.h"
+#include "core/base/codecs/codecs.h"
 #include "core/recording/file/quick_deflate.h"
 
 namespace fyd::recording {
@@ -56,7 +56,7 @@ std::vector<std::byte> filtered(const cv::Mat& picture) {
 std::vector<std::uint8_t> encodeOther(const cv::Mat& picture) {
   std::vector<std::uint8_t> out;
   try {
-    cv::imencode(".png", picture, out);
+    codecs::encodePicture(".png", picture, out);
   } catch (const cv::Exception&) {  // a depth or number of channels that the format does not know
     out.clear();
   }

@@ -2,6 +2,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/base/codecs/codecs.h"
 #include "core/recording/file/picture_decode.h"
 #include "core/recording/file/picture_png.h"
 
@@ -22,7 +23,7 @@ EncodedPicture encodePicture(const HeldPicture& held, bool with_whole) {
     const bool inside = held.region_px.area() > 0 && (held.region_px & whole) == held.region_px;
     if (inside) out.region = encodePng(held.picture(held.region_px));
     if (with_whole || out.region.empty())
-      cv::imencode(".jpg", held.picture, out.whole, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+      codecs::encodePicture(".jpg", held.picture, out.whole, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
   } catch (const cv::Exception&) {  // a depth that this format does not know
     out.whole.clear();
   }

@@ -5,6 +5,7 @@
 #include <asio/ip/tcp.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/base/codecs/codecs.h"
 #include "core/base/system_reason.h"
 
 namespace fyd::sim {
@@ -81,6 +82,7 @@ struct MjpegServer::Reader {
 
 Result<std::unique_ptr<MjpegServer>> MjpegServer::start(const protocol::Endpoint& local,
                                                         std::unique_ptr<device::Camera> camera, FaultPlan faults) {
+  if (const auto loaded = codecs::load(); !loaded) return tl::unexpected(loaded.error());
   auto acceptor = std::make_unique<Acceptor>();
   auto wanted = toAsio(local);
   std::error_code problem;
@@ -132,7 +134,7 @@ bool MjpegServer::encodeNext() {
                               ? cv::Mat(frame->picture.size(), frame->picture.type(), cv::Scalar::all(kFlatGrey))
                               : frame->picture;
   std::vector<std::uint8_t> jpeg;
-  if (!cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92})) return false;
+  if (!codecs::encodePicture(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92})) return false;
   if (faults_.active(TouchpadFault::camera_cut, now)) jpeg.resize(jpeg.size() / 3);
   for (int i = 0; i < kWrongBytes && faults_.active(TouchpadFault::camera_damage, now); ++i) {
     jpeg[random_() % jpeg.size()] = static_cast<std::uint8_t>(random_());
