@@ -39,6 +39,7 @@ class Felt(fyd.Case):
     def setUpClass(cls):
         super().setUpClass()
         cls.signals = tempfile.TemporaryDirectory()
+        cls.numbers = itertools.count()  # of the files with duties
         cls.names = peer("inputs", cls.signals.name)
         cls.surfaces = [n for n in cls.names if n.partition("_")[0] in ("cork", "canvas", "plank", "lino", "band")]
 
@@ -51,22 +52,30 @@ class Felt(fyd.Case):
         return os.path.join(self.signals.name, name)
 
     def jobs(self, names, mapping="felt", breakaways=BREAKAWAYS, resonances=RESONANCES, factor=1.0, plant=None, options=()):
-        """Duties of each signal on each plant, and what the finger feels of them."""
+        """What the finger feels of each signal on each plant."""
+        return self.judged(self.duties(names, mapping, breakaways, resonances, factor, plant, options))[0]
+
+    def duties(self, names, mapping="felt", breakaways=BREAKAWAYS, resonances=RESONANCES, factor=1.0, plant=None, options=()):
+        """What the program commands for each signal on each plant."""
         jobs = []
         for name, b, f0 in itertools.product(names, breakaways, resonances):
-            toml, out = self.at("plant.toml"), self.at(f"out_{len(jobs)}.csv")
+            toml, out = self.at("plant.toml"), self.at(f"out_{next(self.numbers)}.csv")
             with open(toml, "w", encoding="utf-8") as file:
                 file.write(plant_toml(breakaway_percent=b * factor, resonance_Hz=f0 * factor))
             done = fyd.run("texture", "felt", self.at(f"{name}.csv"), "-o", out, "--mapping", mapping, "--plant", toml, *options)
             self.assertEqual(done.returncode, 0, done.stderr)
             jobs.append({"in": name, "out": out, "b": b, "f0": f0, "plant": plant or {}})
+        return jobs
+
+    def judged(self, *batches):
+        """The batches with what the finger feels: judged together, they take as long as one."""
         with open(self.at("jobs.json"), "w", encoding="utf-8") as file:
-            json.dump(jobs, file)
-        return [job | felt for job, felt in zip(jobs, peer("judge", self.signals.name))]
+            json.dump(list(itertools.chain(*batches)), file)
+        felt = iter(peer("judge", self.signals.name))
+        return [[job | next(felt) for job in jobs] for jobs in batches]
 
     def test_surfaces_arrive_at_the_finger(self):
-        felt = self.jobs(self.surfaces)
-        symmetric = self.jobs(self.surfaces[::3], "symmetric")
+        felt, symmetric = self.judged(self.duties(self.surfaces), self.duties(self.surfaces[::3], "symmetric"))
         for b, least in zip(BREAKAWAYS, (.78, .77, .75)):
             match = mean(run["match"] for run in felt if run["b"] == b)
             print(f"breakaway {b} %: match {match:.3f}", "thirds", f"{mean(r['thirds_dB'] for r in felt if r['b'] == b):.2f} dB",
@@ -89,16 +98,19 @@ class Felt(fyd.Case):
         self.assertGreater(mean(above), mean(run["level_g"] >= .02 for run in symmetric if run["f0"] != 40) + .3)
 
     def test_a_stored_level_keeps_the_envelope(self):
-        for name in ("cork_35", "canvas_55", "plank_35"):
+        names = ("cork_35", "canvas_55", "plank_35")
+        batches = []
+        for name in names:
             with open(self.at(f"{name}.csv"), encoding="utf-8") as file:
                 axes = [list(map(float, line.split(",")[1:])) for line in list(file)[1:]]
             level = mean(x * x + y * y + (z - 1) ** 2 for x, y, z in axes) ** .5
-            runs = self.jobs([name], breakaways=(5, 15), resonances=(70, 110), options=("--level", f"{0.7 * level}"))
+            batches.append(self.duties([name], breakaways=(5, 15), resonances=(70, 110), options=("--level", f"{0.7 * level}")))
+        for name, runs in zip(names, self.judged(*batches)):
             self.assertGreaterEqual(mean(run["envelope"] for run in runs), .93, name)
 
     def test_constants_that_are_30_percent_wrong(self):
-        for factor in (0.7, 1.3):
-            runs = self.jobs(self.surfaces, factor=factor)
+        factors = (0.7, 1.3)
+        for factor, runs in zip(factors, self.judged(*(self.duties(self.surfaces, factor=factor) for factor in factors))):
             print(f"constants × {factor}: match {mean(r['match'] for r in runs):.3f}")
             self.assertGreaterEqual(mean(run["match"] for run in runs), .62)
             self.assertLessEqual(max(max(run["duty_rms"]) for run in runs), 40)
@@ -141,16 +153,19 @@ class Felt(fyd.Case):
 
     def test_hard_plants(self):
         surfaces = ["cork_35", "canvas_25", "band_70_220"]
-        worse = self.jobs(surfaces, breakaways=(25,), plant={"friction": 1.5})
+        worse, elastic, dead, wood, open_play = self.judged(
+            self.duties(surfaces, breakaways=(25,), plant={"friction": 1.5}),
+            self.duties(surfaces, breakaways=(15,), plant={"presliding": .008}),
+            self.duties(surfaces, breakaways=(15,), plant={"alive": 0}),
+            self.duties(["plank_25"], breakaways=(5, 15, 25), resonances=(40,)),  # wood, slow, on a soft cloth
+            self.duties(surfaces, breakaways=(15,), resonances=(70,), plant={"slack": True}))
         self.assertGreaterEqual(mean(run["match"] for run in worse), .7)
-        elastic = self.jobs(surfaces, breakaways=(15,), plant={"presliding": .008})
         print(f"pre-sliding 0.008°: match {[round(run['match'], 2) for run in elastic]}")
         self.assertGreaterEqual(mean(run["match"] for run in elastic), .5)
-        dead = self.jobs(surfaces, breakaways=(15,), plant={"alive": 0})
         self.assertGreaterEqual(mean(run["match"] for run in dead), .7)
-        for run in self.jobs(["plank_25"], breakaways=(5, 15, 25), resonances=(40,)):  # wood, slow, on a soft cloth
+        for run in wood:
             self.assertGreaterEqual(run["match"], .55, run)
-        for run in self.jobs(surfaces, breakaways=(15,), resonances=(70,), plant={"slack": True}):
+        for run in open_play:
             self.assertLess(run["level_g"], .002)  # the play is open: nothing can arrive, and nothing runs away
             self.assertLessEqual(run["stretch_moved"], .15)
 
