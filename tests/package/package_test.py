@@ -67,7 +67,7 @@ class Contents(unittest.TestCase):
             "fyd": ["usr/bin/fyd", "usr/lib/udev/rules.d/70-fyd-touchpad.rules", "usr/share/fyd-console/scenes/fencing.toml",
                     "usr/share/fyd-console/textures/wood.toml", "usr/share/man/man1/fyd.1.gz",
                     "usr/share/bash-completion/completions/fyd"],
-            "libfyd0": ["usr/lib/*-linux-gnu*/libfyd.so.0"],
+            "libfyd0": ["usr/lib/*-linux-gnu*/libfyd.so.0", "usr/lib/*-linux-gnu*/fyd/codecs.so"],
             "libfyd-dev": ["usr/lib/*-linux-gnu*/libfyd.so", "usr/lib/*-linux-gnu*/cmake/Fyd/FydConfig.cmake",
                            "usr/lib/*-linux-gnu*/pkgconfig/fyd.pc", "usr/include/fyd/core/pipeline/pipeline.h"],
         }
@@ -127,7 +127,8 @@ class Control(unittest.TestCase):
     def test_packages_of_one_build_belong_together(self):
         same = f"(= {ALL['fyd'].field['Version']})"
         self.assertIn(f"fyd {same}", ALL["fyd-console"].depends())
-        self.assertIn(f"libfyd0 {same}", ALL["libfyd-dev"].depends())
+        for name in ("fyd", "libfyd-dev", *(each for each in ("python3-fyd",) if each in ALL)):
+            self.assertIn(f"libfyd0 {same}", ALL[name].depends())
 
     def test_the_command_line_needs_no_window(self):
         self.assertNotRegex(ALL["fyd"].field["Depends"], "(?i)qt6|qcustomplot")
