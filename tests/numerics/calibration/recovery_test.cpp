@@ -448,7 +448,7 @@ TEST(Camera, AHeightThatThePointsDoNotTellIsRefused) {
   CameraSamples few = throughAPinhole(100, {0, 8}, 40, 0, 1);
   for (auto* column : {&few.x_px, &few.y_px, &few.x_mm, &few.y_mm, &few.depth_mm}) {
     std::vector<double> kept;
-    for (const std::size_t i : {0, 2, 6, 11, 17}) kept.push_back((*column)[i]);
+    for (const std::size_t i : {0U, 2U, 6U, 11U, 17U}) kept.push_back((*column)[i]);
     *column = kept;
   }
   EXPECT_THAT(refusedFor(few), testing::HasSubstr("at least 6"));
