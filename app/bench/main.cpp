@@ -115,6 +115,7 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace fyd::bench
 
+// NOLINTNEXTLINE(bugprone-exception-escape): declaring the options throws only for a mistake in their declaration
 int main(int argc, char** argv) {
   fyd::makeFailedWritesErrors();
   CLI::App app("Measure speed beside error, against a baseline in the same run", "fyd bench");

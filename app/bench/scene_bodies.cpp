@@ -57,7 +57,7 @@ Table bench_scene_bodies() {
   const auto mesh = std::make_shared<const SearchedMesh>(*Mesh::build(bumpyPlane(71)));
   const std::vector<Vec3> path = underBumpyPlane(steps(), 110.0, 1.0);
   std::vector<Counted> all;
-  for (const std::size_t bodies : {1, 2, 10, 100}) all.push_back(withBodies(bodies, mesh));
+  for (const std::size_t bodies : {1U, 2U, 10U, 100U}) all.push_back(withBodies(bodies, mesh));
   double time_s = 0.0;
   for (int round = 0; round < kRounds; ++round) {
     for (Counted& each : all) {

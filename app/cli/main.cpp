@@ -8,6 +8,7 @@ namespace fyd::cli {
 #undef FYD_COMMAND
 }  // namespace fyd::cli
 
+// NOLINTNEXTLINE(bugprone-exception-escape): declaring the options throws only for a mistake in their declaration
 int main(int argc, char** argv) {
   fyd::makeFailedWritesErrors();
   CLI::App app("FYD Console's command line: the touchpad, its algorithms and its protocol without a window", "fyd");

@@ -34,7 +34,7 @@ Clock::duration real() { return std::chrono::steady_clock::now().time_since_epoc
 /// With the mutex locked.
 Point heldNow(Holds& all) {
   Point latest = Point::max();
-  for (int i = 0; i < kMostHolds; ++i) {
+  for (std::size_t i = 0; i < all.taken.size(); ++i) {
     if (all.taken[i]) latest = std::min(latest, all.until[i]);
   }
   const Clock::duration held_back(all.held_back.load(std::memory_order_relaxed));

@@ -163,13 +163,12 @@ inline constexpr bool kIsList<fmt::join_view<Iterator, End, Char>> = true;
 
 template <class T>
 consteval auto heldAs() {
+  constexpr bool kText = std::is_same_v<T, bool> || std::is_same_v<T, char>;  // though integral
   if constexpr (std::is_same_v<T, Message>) {
     return std::type_identity<Message>();
-  } else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, char>) {
-    return std::type_identity<std::string>();
-  } else if constexpr (std::signed_integral<T>) {
+  } else if constexpr (std::signed_integral<T> && !kText) {
     return std::type_identity<std::int64_t>();
-  } else if constexpr (std::unsigned_integral<T>) {
+  } else if constexpr (std::unsigned_integral<T> && !kText) {
     return std::type_identity<std::uint64_t>();
   } else if constexpr (std::floating_point<T>) {
     return std::type_identity<double>();

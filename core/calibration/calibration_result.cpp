@@ -22,30 +22,28 @@ Message errorWithUnit(double value, std::string_view unit) {
   return out;
 }
 
-CalibrationResult refused(CalibrationResult result, Message reason, std::string_view threshold) {
+void refuse(CalibrationResult& result, Message reason, std::string_view threshold) {
   result.verdict = {.reason = std::move(reason), .threshold = std::string(threshold)};
   result.changes.clear();
-  return result;
 }
 
-CalibrationResult tooFew(CalibrationResult result, Message reason, std::string_view threshold) {
-  CalibrationResult out = refused(std::move(result), std::move(reason), threshold);
-  out.verdict.too_few = true;
-  return out;
+void refuseTooFew(CalibrationResult& result, Message reason, std::string_view threshold) {
+  refuse(result, std::move(reason), threshold);
+  result.verdict.too_few = true;
 }
 
 bool checkColumn(CalibrationResult& result, std::string_view column, std::span<const double> values, double lowest,
                  double highest) {
   if (values.size() > kMostPoints) {
-    result = refused(std::move(result), say("{} points; at most {}: take fewer, or means", values.size(), kMostPoints));
+    refuse(result, say("{} points; at most {}: take fewer, or means", values.size(), kMostPoints));
     return false;
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i]) && values[i] >= lowest && values[i] <= highest) continue;
     if (i >= result.bad_row) return false;  // an earlier point is named already
     result.bad_row = i;
-    result = refused(std::move(result), say("{} = {}: expected a number from {} to {}; correct or delete the row",
-                                            column, values[i], lowest, highest));
+    refuse(result, say("{} = {}: expected a number from {} to {}; correct or delete the row", column, values[i], lowest,
+                       highest));
     return false;
   }
   return true;
@@ -75,9 +73,9 @@ Result<std::vector<AppliedChange>> applyChanges(std::span<const Parameter> param
                                                 std::span<const ParameterChange> changes) {
   std::vector<AppliedChange> applied;
   const auto undo = [&] {
-    for (auto change = applied.rbegin(); change != applied.rend(); ++change) {
-      (void)assignParameter(*findParameter(parameters, change->id), change->before);
-    }
+    std::for_each(applied.rbegin(), applied.rend(), [parameters](const AppliedChange& change) {
+      (void)assignParameter(*findParameter(parameters, change.id), change.before);
+    });
   };
   for (const ParameterChange& change : changes) {
     const Parameter* parameter = findParameter(parameters, change.id);

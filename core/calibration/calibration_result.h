@@ -74,11 +74,11 @@ struct CalibrationResult {
 /// An error of a fit with its unit, as everybody shows it: two significant digits, never with an exponent.
 [[nodiscard]] Message errorWithUnit(double value, std::string_view unit);
 
-/// A result refused before or after its fit; keeps what is known.
-[[nodiscard]] CalibrationResult refused(CalibrationResult result, Message reason, std::string_view threshold = {});
+/// Refuses a result before or after its fit; keeps what is known.
+void refuse(CalibrationResult& result, Message reason, std::string_view threshold = {});
 
 /// The same, because there are too few points.
-[[nodiscard]] CalibrationResult tooFew(CalibrationResult result, Message reason, std::string_view threshold);
+void refuseTooFew(CalibrationResult& result, Message reason, std::string_view threshold);
 
 /// First point that is not finite or outside lowest…highest: refuses the result and names it.
 /// @return true when all points are good

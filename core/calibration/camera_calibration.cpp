@@ -89,9 +89,8 @@ bool findTurn(CameraCalibration& out, const Frame& f) {
   const auto x = fitLinear(design, f.x), y = fitLinear(design, f.y);
   CalibrationResult& result = out.result;
   if (!x || !y || x->condition_number > kLineCondition) {
-    result = refused(
-        std::move(result),
-        say("the points lie on one line in the picture: add points off that line, at the corners of the cloth"));
+    refuse(result,
+           say("the points lie on one line in the picture: add points off that line, at the corners of the cloth"));
     return false;
   }
   result.condition_number = x->condition_number;
@@ -99,8 +98,7 @@ bool findTurn(CameraCalibration& out, const Frame& f) {
   const double determinant = m00 * m11 - m01 * m10;
   const double sx = std::hypot(m00, m10), sy = std::hypot(m01, m11);
   if (!(std::abs(determinant) > 1e-6 * sx * sy) || !(sx > 0) || !(sy > 0)) {
-    result = refused(std::move(result),
-                     say("the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm"));
+    refuse(result, say("the millimetres lie on one line though the pixels do not: check the columns x_mm and y_mm"));
     return false;
   }
   out.mirrored = determinant > 0;
@@ -168,12 +166,11 @@ bool findHeight(CalibrationResult& result, const CameraSamples& s, const Calibra
   const auto deeper = [](double depth_mm) { return depth_mm > 0.0; };
   if (std::none_of(s.depth_mm.begin(), s.depth_mm.end(), deeper)) return true;
   if (s.x_px.size() < kFewestForHeight) {
-    result =
-        tooFew(std::move(result),
-               say("{} points; the camera's height takes at least {}: at the cloth's corners, some on the untouched "
-                   "cloth and some pressed down",
-                   s.x_px.size(), kFewestForHeight),
-               "calibration.camera_height_percent");
+    refuseTooFew(result,
+                 say("{} points; the camera's height takes at least {}: at the cloth's corners, some on the untouched "
+                     "cloth and some pressed down",
+                     s.x_px.size(), kFewestForHeight),
+                 "calibration.camera_height_percent");
     return false;
   }
   height = findHeight(s);
@@ -184,11 +181,11 @@ bool findHeight(CalibrationResult& result, const CameraSamples& s, const Calibra
                             ? say("the camera's height is known only to {:.0f} %; expected at most {:g} %", percent,
                                   p.camera_height_percent)
                             : say("the depths do not tell the camera's height");
-  result = refused(std::move(result),
-                   say("{}: take points at the cloth's corners, far from its middle, some on the untouched cloth and "
-                       "some pressed down as deep as you can",
-                       known),
-                   "calibration.camera_height_percent");
+  refuse(result,
+         say("{}: take points at the cloth's corners, far from its middle, some on the untouched cloth and "
+             "some pressed down as deep as you can",
+             known),
+         "calibration.camera_height_percent");
   return false;
 }
 
@@ -207,7 +204,7 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
   if (!s.depth_mm.empty()) result.samples.push_back({"depth_mm", "mm", s.depth_mm});
   if (s.y_px.size() != s.x_px.size() || s.x_mm.size() != s.x_px.size() || s.y_mm.size() != s.x_px.size() ||
       (!s.depth_mm.empty() && s.depth_mm.size() != s.x_px.size())) {
-    result = refused(std::move(result), say("the columns differ in length"));
+    refuse(result, say("the columns differ in length"));
     return out;
   }
   bool good = checkColumn(result, "x_px", s.x_px, -kLargest_px, kLargest_px);
@@ -225,19 +222,19 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
     if (!seen) different.push_back(i);
   }
   if (different.size() < static_cast<std::size_t>(p.camera_fewest_points)) {
-    result = tooFew(std::move(result),
-                    say("{} different points; expected at least {}: add points, best at the corners of "
-                        "the cloth",
-                        different.size(), p.camera_fewest_points),
-                    "calibration.camera_fewest_points");
+    refuseTooFew(result,
+                 say("{} different points; expected at least {}: add points, best at the corners of "
+                     "the cloth",
+                     different.size(), p.camera_fewest_points),
+                 "calibration.camera_fewest_points");
     return out;
   }
   for (const auto& [name, values] : {std::pair{"x_px", &s.x_px}, std::pair{"y_px", &s.y_px}}) {
     if (spanOf(*values) >= p.camera_least_span_px) continue;
-    result = tooFew(std::move(result),
-                    say("{} spans only {:.3g} px; expected at least {:g}: add points farther {}", name, spanOf(*values),
-                        p.camera_least_span_px, *name == 'x' ? say("left and right") : say("up and down")),
-                    "calibration.camera_least_span_px");
+    refuseTooFew(result,
+                 say("{} spans only {:.3g} px; expected at least {:g}: add points farther {}", name, spanOf(*values),
+                     p.camera_least_span_px, *name == 'x' ? say("left and right") : say("up and down")),
+                 "calibration.camera_least_span_px");
     return out;
   }
   if (!findTurn(out, frameOf(s, 0.0))) return out;
@@ -256,7 +253,7 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
   const auto fits = fitAxes(frame, rows);
   if (!fits) {
-    result = refused(std::move(result), fits.error().message);
+    refuse(result, fits.error().message);
     return out;
   }
   const auto& [x, y] = *fits;
@@ -304,12 +301,12 @@ CameraCalibration calibrateCamera(const CameraSamples& samples, const Calibratio
             "y_mm are wrong: it grows to the back, upward in the picture"));
   }
   if (!(result.held_out_rmse <= p.camera_held_out_mm)) {
-    result = refused(std::move(result),
-                     say("held-out error {}; expected at most {:g} mm: {}", errorWithUnit(result.held_out_rmse, "mm"),
-                         p.camera_held_out_mm,
-                         !hasFewOutliers(result) ? say("lay the target flat and set the camera square to it")
-                                                 : say("measure the outliers again")),
-                     "calibration.camera_held_out_mm");
+    refuse(result,
+           say("held-out error {}; expected at most {:g} mm: {}", errorWithUnit(result.held_out_rmse, "mm"),
+               p.camera_held_out_mm,
+               !hasFewOutliers(result) ? say("lay the target flat and set the camera square to it")
+                                       : say("measure the outliers again")),
+           "calibration.camera_held_out_mm");
     return out;
   }
   const double rotation = out.rotated ? out.rotation_deg : half_turn;

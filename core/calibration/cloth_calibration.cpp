@@ -47,10 +47,9 @@ bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing
     out.push_back(press);
   }
   if (out.empty()) {
-    result = refused(
-        std::move(result),
-        say("no press is within {:g} mm of a distance sensor that reads: press over each sensor", p.cloth_beside_mm),
-        "calibration.cloth_beside_mm");
+    refuse(result,
+           say("no press is within {:g} mm of a distance sensor that reads: press over each sensor", p.cloth_beside_mm),
+           "calibration.cloth_beside_mm");
     return false;
   }
   if (out.size() < s.codes.size()) {
@@ -86,24 +85,23 @@ bool enoughPresses(ClothCalibration& out, const std::vector<ClothPress>& presses
         result.notes.push_back(say("distance sensor {} did not read in any press", i + 1));
         continue;
       }
-      result = refused(std::move(result),
-                       say("no press over distance sensor {}: press over each sensor, at two depths", i + 1));
+      refuse(result, say("no press over distance sensor {}: press over each sensor, at two depths", i + 1));
       return false;
     }
     if (!(sensor.deepest_mm >= p.cloth_least_depth_mm)) {
-      result = refused(std::move(result),
-                       say("the deepest press over distance sensor {} is {:.2f} mm; expected at least {:g} mm: "
-                           "press deeper there",
-                           i + 1, sensor.deepest_mm, p.cloth_least_depth_mm),
-                       "calibration.cloth_least_depth_mm");
+      refuse(result,
+             say("the deepest press over distance sensor {} is {:.2f} mm; expected at least {:g} mm: "
+                 "press deeper there",
+                 i + 1, sensor.deepest_mm, p.cloth_least_depth_mm),
+             "calibration.cloth_least_depth_mm");
       return false;
     }
     if (!(sensor.shallowest_mm > 0.0) || !(sensor.deepest_mm >= p.cloth_depth_ratio * sensor.shallowest_mm)) {
-      result = refused(std::move(result),
-                       say("the presses over distance sensor {} are all about equally deep ({:.2f} to {:.2f} mm); "
-                           "expected {:g} times as deep at the deepest: press there at two depths",
-                           i + 1, sensor.shallowest_mm, sensor.deepest_mm, p.cloth_depth_ratio),
-                       "calibration.cloth_depth_ratio");
+      refuse(result,
+             say("the presses over distance sensor {} are all about equally deep ({:.2f} to {:.2f} mm); "
+                 "expected {:g} times as deep at the deepest: press there at two depths",
+                 i + 1, sensor.shallowest_mm, sensor.deepest_mm, p.cloth_depth_ratio),
+             "calibration.cloth_depth_ratio");
       return false;
     }
   }
@@ -165,23 +163,23 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
             .valid_unit = "mm"};
   const std::size_t sensors = std::min(profile.ir_x_mm.size(), profile.ir_y_mm.size());
   for (std::size_t sensor = 0; sensor < sensors; ++sensor) {
-    SampleColumn& column = result.samples.emplace_back(fmt::format("adc{}", sensor + 1), "counts");
+    SampleColumn& column = result.samples.emplace_back();
+    column = {.name = fmt::format("adc{}", sensor + 1), .unit = "counts"};
     for (const auto& press : s.codes) column.values.push_back(sensor < press.size() ? press[sensor] : kUnknown);
   }
   result.samples.insert(result.samples.end(),
                         {{"x_mm", "mm", s.x_mm}, {"y_mm", "mm", s.y_mm}, {"area_mm2", "mm²", s.area_mm2}});
   if (s.x_mm.size() != s.codes.size() || s.y_mm.size() != s.codes.size() || s.area_mm2.size() != s.codes.size()) {
-    result = refused(std::move(result), say("the columns differ in length"));
+    refuse(result, say("the columns differ in length"));
     return out;
   }
   if (s.codes.size() > kMostPresses) {
-    result = refused(std::move(result),
-                     say("{} presses; at most {}: take the mean of each press", s.codes.size(), kMostPresses));
+    refuse(result, say("{} presses; at most {}: take the mean of each press", s.codes.size(), kMostPresses));
     return out;
   }
   if (profile.ir_offset_mm.size() < sensors) {
-    result = refused(std::move(result), say("sensing.ir_offset_mm has {} values for {} sensors: tare first",
-                                            profile.ir_offset_mm.size(), sensors));
+    refuse(result,
+           say("sensing.ir_offset_mm has {} values for {} sensors: tare first", profile.ir_offset_mm.size(), sensors));
     return out;
   }
   bool good = checkColumn(result, "x_mm", s.x_mm, -profile.frame_half_width_mm, profile.frame_half_width_mm);
@@ -193,8 +191,7 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   const ClothFitter fitter(profile, sensors);
   const auto held = fitter.fit(presses, ClothEdges::held), rollers = fitter.fit(presses, ClothEdges::rollers);
   if (!held || !rollers) {
-    result = refused(std::move(result),
-                     say("too few readings beside the finger: at least two sensors must read in each press"));
+    refuse(result, say("too few readings beside the finger: at least two sensors must read in each press"));
     return out;
   }
   struct Errors {
@@ -239,20 +236,19 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   const double share_limit = p.cloth_share_percent * (free ? kFreeLimits : 1.0);
   const double ratio_limit = p.cloth_ratio_percent * (free ? kFreeLimits : 1.0);
   if (!(100.0 * share_part <= share_limit) || !(100.0 * ratio_part <= ratio_limit)) {
-    result = refused(
-        std::move(result),
-        say("the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected "
-            "at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper",
-            share, 100.0 * share_part, ratio, 100.0 * ratio_part, share_limit, ratio_limit),
-        "calibration.cloth_share_percent");
+    refuse(result,
+           say("the radius share {:.2f} is known only to {:.0f} % and the tension ratio {:.2f} to {:.0f} %; expected "
+               "at most {:g} % and {:g} %: hold each press longer, so that its mean has less noise, and press deeper",
+               share, 100.0 * share_part, ratio, 100.0 * ratio_part, share_limit, ratio_limit),
+           "calibration.cloth_share_percent");
     return out;
   }
   if (!(result.held_out_rmse <= p.cloth_held_out_mm)) {
-    result = refused(std::move(result),
-                     say("held-out error {}; expected at most {:g} mm: tare, and press straight down over "
-                         "the middle of each sensor",
-                         errorWithUnit(result.held_out_rmse, "mm"), p.cloth_held_out_mm),
-                     "calibration.cloth_held_out_mm");
+    refuse(result,
+           say("held-out error {}; expected at most {:g} mm: tare, and press straight down over "
+               "the middle of each sensor",
+               errorWithUnit(result.held_out_rmse, "mm"), p.cloth_held_out_mm),
+           "calibration.cloth_held_out_mm");
     return out;
   }
   if (out.other_edges_rmse < kClearlyBetter * result.rmse) {
@@ -274,7 +270,7 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
       {"sensing.cloth_share_sigma", fmt::format("{:.6g}", std::min(out.share_sigma, 0.5))}};
   sensing::IndentationParameters calibrated = profile;
   if (const auto applied = applyChanges(bindParameters(calibrated), result.changes); !applied) {
-    result = refused(std::move(result), applied.error().message);
+    refuse(result, applied.error().message);
     return out;
   }
   out.stiffness_error = std::max(doubtOverTheCloth(calibrated, s, sensors), rootMeanSquare(errors.relative));

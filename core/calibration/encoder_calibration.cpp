@@ -112,7 +112,7 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   for (std::size_t motor = 0; motor < control::kMotorCount; ++motor) {
     if (s.command_deg[motor].size() != s.counts[0].size() || s.counts[motor].size() != s.counts[0].size() ||
         s.counts[0].empty()) {
-      result = refused(std::move(result), say("commands and counts differ in number, or there are none"));
+      refuse(result, say("commands and counts differ in number, or there are none"));
       return out;
     }
     good = checkColumn(result, fmt::format("{}_deg", kNames[motor]), s.command_deg[motor], -3600, 3600) && good;
@@ -132,15 +132,18 @@ EncoderCalibration calibrateEncoders(const EncoderSamples& s, const CalibrationP
   result.valid_from = std::max(out.encoders[0].from_deg, out.encoders[1].from_deg);
   result.valid_to = std::min(out.encoders[0].to_deg, out.encoders[1].to_deg);
   if (!problem.words.empty()) {
-    result = problem.too_few ? tooFew(std::move(result), problem.words, problem.threshold)
-                             : refused(std::move(result), problem.words, problem.threshold);
+    if (problem.too_few) {
+      refuseTooFew(result, problem.words, problem.threshold);
+    } else {
+      refuse(result, problem.words, problem.threshold);
+    }
     return out;
   }
   if (!(result.held_out_rmse <= p.encoder_held_out_deg)) {
-    result = refused(std::move(result),
-                     say("held-out error {}; expected at most {:g}: sweep slower, and wait at each angle",
-                         errorWithUnit(result.held_out_rmse, "deg"), p.encoder_held_out_deg),
-                     "calibration.encoder_held_out_deg");
+    refuse(result,
+           say("held-out error {}; expected at most {:g}: sweep slower, and wait at each angle",
+               errorWithUnit(result.held_out_rmse, "deg"), p.encoder_held_out_deg),
+           "calibration.encoder_held_out_deg");
     return out;
   }
   for (std::size_t motor = 0; motor < control::kMotorCount; ++motor) {

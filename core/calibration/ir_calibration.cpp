@@ -108,29 +108,29 @@ bool enoughDistances(CalibrationResult& result, const IrSamples& samples, const 
   const double to = std::max(kSensorFarthest_mm, distinct.back());
   if (distinct.size() < static_cast<std::size_t>(p.ir_fewest_distances)) {
     const Gap gap = widestGap(distinct, from, to);
-    result = tooFew(std::move(result),
-                    say("{} different distances in {} points; expected at least {}: add points between {:g} and "
-                        "{:g} mm (the same distance again tells only the noise)",
-                        distinct.size(), samples.adc.size(), p.ir_fewest_distances, gap.from, gap.to),
-                    "calibration.ir_fewest_distances");
+    refuseTooFew(result,
+                 say("{} different distances in {} points; expected at least {}: add points between {:g} and "
+                     "{:g} mm (the same distance again tells only the noise)",
+                     distinct.size(), samples.adc.size(), p.ir_fewest_distances, gap.from, gap.to),
+                 "calibration.ir_fewest_distances");
     return false;
   }
   const double span = distinct.back() - distinct.front();
   if (span < p.ir_least_span_mm) {
     const Gap gap = widestGap(distinct, from, to);
-    result = tooFew(std::move(result),
-                    say("the distances span only {:.3g} mm, {:g} to {:g}; expected at least {:g}: add points "
-                        "between {:g} and {:g} mm",
-                        span, distinct.front(), distinct.back(), p.ir_least_span_mm, gap.from, gap.to),
-                    "calibration.ir_least_span_mm");
+    refuseTooFew(result,
+                 say("the distances span only {:.3g} mm, {:g} to {:g}; expected at least {:g}: add points "
+                     "between {:g} and {:g} mm",
+                     span, distinct.front(), distinct.back(), p.ir_least_span_mm, gap.from, gap.to),
+                 "calibration.ir_least_span_mm");
     return false;
   }
   const Gap gap = widestGap(distinct, distinct.front(), distinct.back());
   if (gap.width() > p.widest_gap_percent / 100.0 * span) {
-    result = tooFew(std::move(result),
-                    say("no point between {:g} and {:g} mm, {:.0f} % of the span: add points between {:g} and {:g} mm",
-                        gap.from, gap.to, 100 * gap.width() / span, gap.from, gap.to),
-                    "calibration.widest_gap_percent");
+    refuseTooFew(result,
+                 say("no point between {:g} and {:g} mm, {:.0f} % of the span: add points between {:g} and {:g} mm",
+                     gap.from, gap.to, 100 * gap.width() / span, gap.from, gap.to),
+                 "calibration.widest_gap_percent");
     return false;
   }
   return true;
@@ -149,16 +149,14 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
             .samples = {{"adc", "counts", samples.adc}, {"distance_mm", "mm", samples.distance_mm}},
             .valid_unit = "adc"};
   if (options.sensor >= sensing::kMaximumIrSensors || samples.distance_mm.size() != samples.adc.size()) {
-    result =
-        refused(std::move(result),
-                say("sensor {} with {} codes and {} distances; expected 1 to {} and as many of each",
-                    options.sensor + 1, samples.adc.size(), samples.distance_mm.size(), sensing::kMaximumIrSensors));
+    refuse(result, say("sensor {} with {} codes and {} distances; expected 1 to {} and as many of each",
+                       options.sensor + 1, samples.adc.size(), samples.distance_mm.size(), sensing::kMaximumIrSensors));
     return out;
   }
   const bool codes_good = checkColumn(result, "adc", samples.adc, 0, sensing::kAdcCodes - 1);
   if (!checkColumn(result, "distance_mm", samples.distance_mm, 1, 1000) || !codes_good) return out;
   if (samples.adc.empty()) {
-    result = refused(std::move(result), say("no points: add points between 40 and 300 mm"));
+    refuse(result, say("no points: add points between 40 and 300 mm"));
     return out;
   }
   if (!enoughDistances(result, samples, p)) return out;
@@ -178,14 +176,13 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
   out.attempts = choice.attempts;
   const double counts_per_mV = sensing::kAdcCodes / (1000.0 * sensing::kAdcReference_V);
   if (Message fold = foldIn(kept, present.ir_noise_mV * counts_per_mV); !fold.empty()) {
-    result = refused(std::move(result), std::move(fold));
+    refuse(result, std::move(fold));
     return out;
   }
   if (!choice.curve) {
     std::vector<Message> problems;
     for (const IrAttempt& a : out.attempts) problems.push_back(about(phrase(toString(a.candidate)), a.problem));
-    result = refused(std::move(result), say("no curve can be used ({}): add points, spread over 40 to 300 mm",
-                                            listed(std::move(problems))));
+    refuse(result, say("no curve can be used ({}): add points, spread over 40 to 300 mm", listed(std::move(problems))));
     return out;
   }
   out.curve = *choice.curve;
@@ -201,13 +198,12 @@ IrCalibration calibrateIr(const IrSamples& samples, const sensing::IndentationPa
             out.valid_from_mm, out.valid_to_mm));
   }
   if (!(result.held_out_rmse <= p.ir_held_out_mm)) {
-    result =
-        refused(std::move(result),
-                say("held-out error {}; expected at most {:g} mm: {}", errorWithUnit(result.held_out_rmse, "mm"),
-                    p.ir_held_out_mm,
-                    !hasFewOutliers(result) ? say("average more readings at each distance, target square to the sensor")
-                                            : say("measure the outliers again, or leave them out")),
-                "calibration.ir_held_out_mm");
+    refuse(result,
+           say("held-out error {}; expected at most {:g} mm: {}", errorWithUnit(result.held_out_rmse, "mm"),
+               p.ir_held_out_mm,
+               !hasFewOutliers(result) ? say("average more readings at each distance, target square to the sensor")
+                                       : say("measure the outliers again, or leave them out")),
+           "calibration.ir_held_out_mm");
     return out;
   }
   result.verdict = {

@@ -121,7 +121,7 @@ std::string_view toString(IrCandidate candidate) {
 std::size_t freedomOf(IrCandidate candidate) {
   switch (candidate) {
     case IrCandidate::thesis_scaled: return 2;
-    case IrCandidate::inverse: return 3;
+    case IrCandidate::inverse:
     case IrCandidate::degree2: return 3;
     case IrCandidate::degree3: return 4;
     case IrCandidate::degree4: return 5;

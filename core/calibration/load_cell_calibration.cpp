@@ -120,8 +120,7 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
             .samples = {{"value", "mV/V", s.value_mV_per_V}, {"force_N", "N", s.force_N}},
             .valid_unit = "mV/V"};
   if (s.force_N.size() != s.value_mV_per_V.size()) {
-    result = refused(std::move(result), say("{} values and {} forces; expected as many of each",
-                                            s.value_mV_per_V.size(), s.force_N.size()));
+    refuse(result, say("{} values and {} forces; expected as many of each", s.value_mV_per_V.size(), s.force_N.size()));
     return out;
   }
   const bool values_good = checkColumn(result, "value", s.value_mV_per_V, -kLargestValue, kLargestValue);
@@ -134,17 +133,16 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   const Gap gap = widestGap(loads, 0.0, loads.empty() ? kCellFullScale_N : std::max(kCellFullScale_N, loads.back()));
   const Message advice = say("add weights between {:.3g} and {:.3g} N", gap.from, gap.to);
   if (loads.size() < static_cast<std::size_t>(p.force_fewest_loads)) {
-    result = tooFew(std::move(result),
-                    say("{} different weights in {} points; expected at least {}: {}", loads.size(), s.force_N.size(),
-                        p.force_fewest_loads, advice),
-                    "calibration.force_fewest_loads");
+    refuseTooFew(result,
+                 say("{} different weights in {} points; expected at least {}: {}", loads.size(), s.force_N.size(),
+                     p.force_fewest_loads, advice),
+                 "calibration.force_fewest_loads");
     return out;
   }
   if (span_N < p.force_least_span_N) {
-    result =
-        tooFew(std::move(result),
-               say("the weights span only {:.3g} N; expected at least {:g}: {}", span_N, p.force_least_span_N, advice),
-               "calibration.force_least_span_N");
+    refuseTooFew(
+        result, say("the weights span only {:.3g} N; expected at least {:g}: {}", span_N, p.force_least_span_N, advice),
+        "calibration.force_least_span_N");
     return out;
   }
   const auto rows = everyRow(s.force_N.size());
@@ -155,15 +153,14 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   centred.col(0).array() -= centre;
   const double width = centred.col(0).cwiseAbs().maxCoeff();
   if (!(width > 1e-9 * std::max(1.0, std::abs(centre)))) {
-    result =
-        refused(std::move(result), say("the value stays at {:.6g} mV/V whatever the weight: check the cell's cable "
-                                       "and the bridge's channel",
-                                       centre));
+    refuse(result, say("the value stays at {:.6g} mV/V whatever the weight: check the cell's cable "
+                       "and the bridge's channel",
+                       centre));
     return out;
   }
   const auto fit = fitLinear(centred, line.force);
   if (!fit) {
-    result = refused(std::move(result), fit.error().message);
+    refuse(result, fit.error().message);
     return out;
   }
   const double slope = fit->coefficients[0], offset = fit->coefficients[1] - slope * centre;
@@ -198,16 +195,16 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   pointOut(out, span_N, p.force_hysteresis_percent);
 
   if (!(result.held_out_rmse <= p.force_held_out_N)) {
-    result = refused(std::move(result),
-                     say("held-out error {}; expected at most {:g} N: {}", errorWithUnit(result.held_out_rmse, "N"),
-                         p.force_held_out_N,
-                         !hasFewOutliers(result) ? say("check the weights, and that nothing rubs on the cell")
-                                                 : say("the outliers are kept in the fit; measure them again")),
-                     "calibration.force_held_out_N");
+    refuse(result,
+           say("held-out error {}; expected at most {:g} N: {}", errorWithUnit(result.held_out_rmse, "N"),
+               p.force_held_out_N,
+               !hasFewOutliers(result) ? say("check the weights, and that nothing rubs on the cell")
+                                       : say("the outliers are kept in the fit; measure them again")),
+           "calibration.force_held_out_N");
     return out;
   }
   if (!(std::abs(slope) > kSureOfLoadCell * fit->standardError(0)) && fit->sigma > 0) {
-    result = refused(std::move(result), say("the value does not follow the weight: check the cell's cable"));
+    refuse(result, say("the value does not follow the weight: check the cell's cable"));
     return out;
   }
   result.changes = {{"sensing.force_slope_g", fmt::format("{}", slope * 1000.0 / kStandardGravity)},

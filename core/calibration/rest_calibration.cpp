@@ -39,16 +39,15 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
   bool good = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (s.axis_g[axis].size() != count) {
-      result = refused(std::move(result), say("the three axes differ in length"));
+      refuse(result, say("the three axes differ in length"));
       return out;
     }
     good = checkColumn(result, fmt::format("{}_g", kAxes[axis]), s.axis_g[axis], -kLargest_g, kLargest_g) && good;
   }
   if (!good) return out;
   if (count < static_cast<std::size_t>(p.rest_fewest_samples)) {
-    result =
-        tooFew(std::move(result), say("{} samples; expected at least {}: wait longer", count, p.rest_fewest_samples),
-               "calibration.rest_fewest_samples");
+    refuseTooFew(result, say("{} samples; expected at least {}: wait longer", count, p.rest_fewest_samples),
+                 "calibration.rest_fewest_samples");
     return out;
   }
   const auto n = static_cast<double>(count);
@@ -69,10 +68,10 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
   out.magnitude_g = std::hypot(out.mean_g[0], out.mean_g[1], out.mean_g[2]);
   const double widest = *std::max_element(out.sigma_g.begin(), out.sigma_g.end());
   if (widest > p.rest_sigma_g) {
-    result = refused(std::move(result),
-                     say("an axis spreads by {:.3f} g; expected at most {:g}: it moves: put the robot to rest", widest,
-                         p.rest_sigma_g),
-                     "calibration.rest_sigma_g");
+    refuse(result,
+           say("an axis spreads by {:.3f} g; expected at most {:g}: it moves: put the robot to rest", widest,
+               p.rest_sigma_g),
+           "calibration.rest_sigma_g");
     return out;
   }
   if (out.magnitude_g <= p.rest_magnitude_g && widest > 0.0) {
@@ -84,10 +83,10 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
     return out;
   }
   if (!(std::abs(out.magnitude_g - 1.0) <= p.rest_magnitude_g)) {
-    result = refused(std::move(result),
-                     say("at rest it measures {:.3f} g; expected 1 within {:g}: check the counts per g of the sensor",
-                         out.magnitude_g, p.rest_magnitude_g),
-                     "calibration.rest_magnitude_g");
+    refuse(result,
+           say("at rest it measures {:.3f} g; expected 1 within {:g}: check the counts per g of the sensor",
+               out.magnitude_g, p.rest_magnitude_g),
+           "calibration.rest_magnitude_g");
     return out;
   }
   result.verdict = {.accepted = true,
@@ -99,7 +98,8 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
 CalibrationResult judgeTare(sensing::TareState state, const sensing::TareResult& tare, double zero_N) {
   CalibrationResult result{.procedure = "no-touch", .curve = say("mean"), .unit = "mm", .valid_unit = "mm"};
   if (state != sensing::TareState::done) {
-    return refused(std::move(result), about(phrase(sensing::toString(state)), nextAction(state)));
+    refuse(result, about(phrase(sensing::toString(state)), nextAction(state)));
+    return result;
   }
   std::vector<double> offsets, spreads;
   for (std::size_t i = 0; i < tare.sensors; ++i) {

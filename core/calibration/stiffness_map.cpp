@@ -61,22 +61,23 @@ bool enoughPresses(CalibrationResult& result, const Groups& groups, const Calibr
   const auto& angles = groups.angles;
   if (angles.size() < static_cast<std::size_t>(p.stiffness_fewest_angles)) {
     std::vector<double> present;
+    present.reserve(angles.size());
     for (const AngleStiffness& a : angles) present.push_back(a.angle_deg);
     const Gap gap = widestGap(present, 20.0, 90.0);
-    result = tooFew(std::move(result),
-                    say("{} different angles; expected at least {}: add presses at an angle "
-                        "between {:.3g} and {:.3g} deg",
-                        angles.size(), p.stiffness_fewest_angles, gap.from, gap.to),
-                    "calibration.stiffness_fewest_angles");
+    refuseTooFew(result,
+                 say("{} different angles; expected at least {}: add presses at an angle "
+                     "between {:.3g} and {:.3g} deg",
+                     angles.size(), p.stiffness_fewest_angles, gap.from, gap.to),
+                 "calibration.stiffness_fewest_angles");
     return false;
   }
   for (const AngleStiffness& a : angles) {
     if (a.points >= static_cast<std::size_t>(p.stiffness_fewest_presses)) continue;
-    result = tooFew(std::move(result),
-                    say("{} points at {:.3g} deg; expected at least {}: press there again, to "
-                        "different depths",
-                        a.points, a.angle_deg, p.stiffness_fewest_presses),
-                    "calibration.stiffness_fewest_presses");
+    refuseTooFew(result,
+                 say("{} points at {:.3g} deg; expected at least {}: press there again, to "
+                     "different depths",
+                     a.points, a.angle_deg, p.stiffness_fewest_presses),
+                 "calibration.stiffness_fewest_presses");
     return false;
   }
   return true;
@@ -131,7 +132,7 @@ std::string listOf(const std::vector<double>& values) { return fmt::format("[{}]
 
 }  // namespace
 
-std::vector<MonotonePoint> poolViolators(std::vector<MonotonePoint> points) {
+std::vector<MonotonePoint> poolViolators(const std::vector<MonotonePoint>& points) {
   std::vector<MonotonePoint> blocks;
   for (const MonotonePoint& point : points) {
     blocks.push_back(point);
@@ -169,7 +170,7 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
                         {"force_N", "N", s.force_N}},
             .valid_unit = "deg"};
   if (s.angle_deg.size() != s.force_N.size() || s.indentation_mm.size() != s.force_N.size()) {
-    result = refused(std::move(result), say("angles, indentations and forces differ in number"));
+    refuse(result, say("angles, indentations and forces differ in number"));
     return out;
   }
   const bool angles_good = checkColumn(result, "angle_deg", s.angle_deg, -180, 180);
@@ -186,10 +187,9 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
       if (groups.of[row] == a) deepest = std::max(deepest, s.indentation_mm[row]);
     }
     if (deepest >= kLeastPress_mm) continue;
-    result =
-        refused(std::move(result), say("no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: "
-                                       "press deeper there",
-                                       groups.angles[a].angle_deg, deepest, kLeastPress_mm));
+    refuse(result, say("no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: "
+                       "press deeper there",
+                       groups.angles[a].angle_deg, deepest, kLeastPress_mm));
     return out;
   }
   Presses presses = pressesOf(s, groups, rows, true);
@@ -203,7 +203,7 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
             "depths"));
   }
   if (!fit) {
-    result = refused(std::move(result), fit.error().message);
+    refuse(result, fit.error().message);
     return out;
   }
   const double t = studentQuantile(0.95, fit->degrees_of_freedom);
@@ -238,36 +238,35 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
         return presses.design.row(static_cast<Eigen::Index>(row)).dot(part.coefficients);
       });
   std::vector<double> held_out;
+  held_out.reserve(rows.size());
   for (const std::size_t row : rows) held_out.push_back(s.force_N[row] - predicted[row]);
   result.held_out_rmse = rootMeanSquare(held_out);
 
   if (!(result.held_out_rmse <= p.stiffness_held_out_N)) {
-    result = refused(
-        std::move(result),
-        say("held-out error {}; expected at most {:g} N: {}", errorWithUnit(result.held_out_rmse, "N"),
-            p.stiffness_held_out_N,
-            !hasFewOutliers(result) ? say("press slower, and hold each depth") : say("measure the outliers again")),
-        "calibration.stiffness_held_out_N");
+    refuse(result,
+           say("held-out error {}; expected at most {:g} N: {}", errorWithUnit(result.held_out_rmse, "N"),
+               p.stiffness_held_out_N,
+               !hasFewOutliers(result) ? say("press slower, and hold each depth") : say("measure the outliers again")),
+           "calibration.stiffness_held_out_N");
     return out;
   }
   for (const AngleStiffness& a : out.angles) {
     const double half = 100.0 * (a.high_95 - a.low_95) / 2 / std::abs(a.stiffness_N_per_mm);
     if (a.stiffness_N_per_mm > 0 && half <= p.stiffness_interval_percent) continue;
-    result = refused(std::move(result),
-                     say("{:.3f} N/mm at {:.3g} deg is known only to {:.0f} %; expected at most {:g} %: press there "
-                         "more often and deeper",
-                         a.stiffness_N_per_mm, a.angle_deg, half, p.stiffness_interval_percent),
-                     "calibration.stiffness_interval_percent");
+    refuse(result,
+           say("{:.3f} N/mm at {:.3g} deg is known only to {:.0f} %; expected at most {:g} %: press there "
+               "more often and deeper",
+               a.stiffness_N_per_mm, a.angle_deg, half, p.stiffness_interval_percent),
+           "calibration.stiffness_interval_percent");
     return out;
   }
   if (Message fall = fallIn(out.angles); !fall.empty()) {
-    result = refused(std::move(result), fall);
+    refuse(result, fall);
     return out;
   }
   makeLaw(out);
   if (out.law_angle_deg.size() < 2) {
-    result = refused(std::move(result),
-                     say("the stiffness does not change with the angle: check that the motors stretch the cloth"));
+    refuse(result, say("the stiffness does not change with the angle: check that the motors stretch the cloth"));
     return out;
   }
   result.valid_from = out.law_angle_deg.front();

@@ -53,6 +53,6 @@ struct MonotonePoint {
   double level = 0.0;
   double weight = 0.0;
 };
-[[nodiscard]] std::vector<MonotonePoint> poolViolators(std::vector<MonotonePoint> points);
+[[nodiscard]] std::vector<MonotonePoint> poolViolators(const std::vector<MonotonePoint>& points);
 
 }  // namespace fyd::calibration

@@ -218,7 +218,7 @@ Result<StoredFile> storeClosed(const std::string& file, const std::string& folde
     catalogue = std::move(*opened);
   }
   const std::string notes = recording::reviewNotesPath(entry->path);
-  const auto moved = moveFile(entry->path, folder, [&](const std::string& path) -> Result<void> {
+  auto moved = moveFile(entry->path, folder, [&](const std::string& path) -> Result<void> {
     entry->path = path;
     return catalogue ? catalogue->add(*entry) : Result<void>();
   });

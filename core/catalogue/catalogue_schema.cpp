@@ -8,15 +8,15 @@ namespace {
 
 // BIGINT, TEXT and DOUBLE PRECISION mean the same in both databases.
 constexpr const char* kCatalogue1[] = {
-    "CREATE TABLE sessions ("
-    " id TEXT PRIMARY KEY, path TEXT NOT NULL, station TEXT NOT NULL, started_utc TEXT NOT NULL,"
-    " started_ms BIGINT NOT NULL, duration_s DOUBLE PRECISION NOT NULL, operator_name TEXT NOT NULL,"
-    " subject TEXT NOT NULL, notes TEXT NOT NULL, touchpad TEXT NOT NULL, robot TEXT NOT NULL,"
-    " samples BIGINT NOT NULL, gaps BIGINT NOT NULL, events BIGINT NOT NULL, wholeness TEXT NOT NULL,"
-    " health TEXT NOT NULL, bytes BIGINT NOT NULL, file_modified_ns BIGINT NOT NULL, file_state TEXT NOT NULL,"
-    " search_text TEXT NOT NULL)",
-    "CREATE TABLE session_tags (session_id TEXT NOT NULL REFERENCES sessions (id) ON DELETE CASCADE,"
-    " tag TEXT NOT NULL, folded TEXT NOT NULL, PRIMARY KEY (session_id, folded))",
+    ("CREATE TABLE sessions ("
+     " id TEXT PRIMARY KEY, path TEXT NOT NULL, station TEXT NOT NULL, started_utc TEXT NOT NULL,"
+     " started_ms BIGINT NOT NULL, duration_s DOUBLE PRECISION NOT NULL, operator_name TEXT NOT NULL,"
+     " subject TEXT NOT NULL, notes TEXT NOT NULL, touchpad TEXT NOT NULL, robot TEXT NOT NULL,"
+     " samples BIGINT NOT NULL, gaps BIGINT NOT NULL, events BIGINT NOT NULL, wholeness TEXT NOT NULL,"
+     " health TEXT NOT NULL, bytes BIGINT NOT NULL, file_modified_ns BIGINT NOT NULL, file_state TEXT NOT NULL,"
+     " search_text TEXT NOT NULL)"),
+    ("CREATE TABLE session_tags (session_id TEXT NOT NULL REFERENCES sessions (id) ON DELETE CASCADE,"
+     " tag TEXT NOT NULL, folded TEXT NOT NULL, PRIMARY KEY (session_id, folded))"),
     "CREATE TABLE session_folders (station TEXT NOT NULL, path TEXT NOT NULL, PRIMARY KEY (station, path))",
     "CREATE INDEX sessions_started ON sessions (started_ms)",
     "CREATE INDEX sessions_station ON sessions (station)",

@@ -97,9 +97,9 @@ std::vector<CatalogueEntry> findEntries(soci::session& sql, const SessionFilter&
   std::string tag;
   BoundStatement statement(sql);
   where.bind(statement);
-  const long long all = std::numeric_limits<long long>::max();
-  const auto bounded = [all](std::size_t n) { return static_cast<long long>(std::min<std::size_t>(n, all)); };
-  statement.bind("limit", filter.limit == 0 ? all : bounded(filter.limit));
+  constexpr long long kAll = std::numeric_limits<long long>::max();
+  const auto bounded = [](std::size_t n) { return static_cast<long long>(std::min<std::size_t>(n, kAll)); };
+  statement.bind("limit", filter.limit == 0 ? kAll : bounded(filter.limit));
   statement.bind("offset", bounded(filter.offset));
   for (std::string* text : {&entry.id, &entry.path, &entry.station, &entry.started_utc}) statement.into(*text);
   statement.into(row.started_ms);

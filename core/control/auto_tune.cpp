@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kFastest_s = 0.2;
 constexpr double kSlowest_s = 10.0;
+constexpr double kLonger = 1.05;    // each time constant than the one before
+constexpr int kTimeConstants = 81;  // up to the last that is not beyond the slowest
 constexpr double kLeastGainMargin = 2.0;
 constexpr double kLeastPhaseMargin_deg = 60.0;
 
@@ -50,7 +52,8 @@ Result<TuneProposal> proposeGains(std::span<const TuneSample> recording, const C
   if (ended(0.0)) return fail("auto-tune: cancelled");
   const auto cloth = identifyCloth(recording, present);
   if (!cloth) return tl::unexpected(cloth.error());
-  for (double lambda_s = kFastest_s; lambda_s <= kSlowest_s; lambda_s *= 1.05) {
+  double lambda_s = kFastest_s;
+  for (int i = 0; i < kTimeConstants; ++i, lambda_s *= kLonger) {
     const double tried = math::log(lambda_s / kFastest_s) / math::log(kSlowest_s / kFastest_s);
     if (ended(kIdentified + (1 - kIdentified) * tried)) return fail("auto-tune: cancelled");
     const ControlParameters proposed = tuned(present, *cloth, lambda_s);

@@ -68,8 +68,9 @@ Fit search(std::span<const Point> points) {
     const Fit fit = fitAt(points, std::clamp(delay_s, 0.0, kLongestDelay_s), std::clamp(lag_s, 0.0, kLongestLag_s));
     if (fit.residual < best.residual) best = fit;
   };
-  for (double delay_s = 0; delay_s <= kLongestDelay_s; delay_s += 0.04) {
-    for (const double lag_s : kLags) consider(delay_s, lag_s);
+  constexpr int kDelays = 10;  // counted, so that the longest is among them
+  for (int i = 0; i <= kDelays; ++i) {
+    for (const double lag_s : kLags) consider(kLongestDelay_s * i / kDelays, lag_s);
   }
   double delay_step_s = 0.02, lag_step_s = std::max(0.02, 0.25 * best.lag_s);
   for (int round = 0; round < 5; ++round) {

@@ -145,9 +145,7 @@ bool SerialPort::write(std::span<const std::uint8_t> bytes) {
     const ssize_t written = ::write(file_, bytes.data(), bytes.size());
     if (written > 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(written));
-    } else if (errno != EAGAIN && errno != EINTR) {
-      return false;
-    } else if (!waitFor(file_, POLLOUT, deadline)) {
+    } else if ((errno != EAGAIN && errno != EINTR) || !waitFor(file_, POLLOUT, deadline)) {
       return false;
     }
   }

@@ -47,8 +47,8 @@ MatValue matStruct(const char* name, std::vector<std::pair<std::string, MatValue
   }
   std::array<std::size_t, 2> size{1, 1};
   MatValue result(Mat_VarCreateStruct(name, 2, size.data(), names.data(), static_cast<unsigned>(names.size())));
-  for (auto& [field, value] : fields) {
-    if (result) Mat_VarSetStructFieldByName(result.get(), field.c_str(), 0, value.release());
+  for (std::pair<std::string, MatValue>& field : fields) {
+    if (result) Mat_VarSetStructFieldByName(result.get(), field.first.c_str(), 0, field.second.release());
   }
   return result;
 }

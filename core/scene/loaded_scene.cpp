@@ -23,7 +23,7 @@ Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene) {
       auto chosen = chooseSoft(tree, materialOf(body), *accuracy);
       if (!chosen) return fail(about(body.name, chosen.error().message));
       to.model.resolution = chosen->chosen;
-      to.soft = std::move(*chosen);
+      to.soft = *chosen;
     } else if (accuracy) {
       to.contact = chooseContact(tree, {.stiffness_N_per_mm = body.stiffness_N_per_mm},
                                  {.radius_mm = body.radius_mm, .reach_mm = body.depth_mm}, *accuracy);
@@ -35,6 +35,7 @@ Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene) {
 
 std::vector<BodyModel> modelsOf(const std::vector<BodyChoice>& choices) {
   std::vector<BodyModel> models;
+  models.reserve(choices.size());
   for (const BodyChoice& each : choices) models.push_back(each.model);
   return models;
 }

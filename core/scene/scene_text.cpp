@@ -74,7 +74,10 @@ Result<SceneDescription> parseScene(std::string_view text, std::string_view sour
   SceneDescription scene;
   for (const auto& [key, node] : *root) {
     const std::string_view room = key.str();
-    const auto into = [&](auto& parameters) { return readInto(parameters, node, room, source_name); };
+    // Named anew: clang 14 captures no structured binding.
+    const auto into = [&, &described = node](auto& parameters) {
+      return readInto(parameters, described, room, source_name);
+    };
     const Result<void> read = room == "scene"       ? into(scene.settings)
                               : room == "body"      ? readBodies(scene, node, source_name)
                               : room == "swords"    ? into(scene.swords.emplace())

@@ -41,12 +41,15 @@ void AdaptiveFinger::resize(const RegionOfInterest& region, int stride) {
   runs_.resize(width_, height_);
   meter_.resize(width_, height_);
   const auto columns = static_cast<std::size_t>(width_);
-  cells_.assign(static_cast<std::size_t>(cell_columns_ * cell_rows_), {});
+  cells_.assign(static_cast<std::size_t>(cell_columns_) * static_cast<std::size_t>(cell_rows_), {});
   for (int j = 0; j < cell_rows_; ++j) {
+    const int top = j * height_ / cell_rows_, bottom = (j + 1) * height_ / cell_rows_;
     for (int i = 0; i < cell_columns_; ++i) {
-      LightSurface::Cell& cell = cells_[static_cast<std::size_t>(j * cell_columns_ + i)];
-      cell.u = light_.toU(0.5F * static_cast<float>(i * width_ / cell_columns_ + (i + 1) * width_ / cell_columns_ - 1));
-      cell.v = light_.toV(0.5F * static_cast<float>(j * height_ / cell_rows_ + (j + 1) * height_ / cell_rows_ - 1));
+      const int place = j * cell_columns_ + i;
+      const int left = i * width_ / cell_columns_, right = (i + 1) * width_ / cell_columns_;
+      LightSurface::Cell& cell = cells_[static_cast<std::size_t>(place)];
+      cell.u = light_.toU(0.5F * static_cast<float>(left + right - 1));
+      cell.v = light_.toV(0.5F * static_cast<float>(top + bottom - 1));
     }
   }
   cell_light_.assign(cells_.size(), 0.0F);
@@ -68,7 +71,7 @@ void AdaptiveFinger::takePicture(const ImageView& picture) {
     return;
   }
   const cv::Mat colour(region_.height, region_.width, CV_8UC3,
-                       const_cast<std::uint8_t*>(picture.row(region_.y) + 3 * region_.x),  // read only
+                       const_cast<std::uint8_t*>(picture.row(region_.y) + std::ptrdiff_t{3} * region_.x),  // read only
                        static_cast<std::size_t>(picture.stride));
   cv::cvtColor(colour, luma_, cv::COLOR_BGR2GRAY);
   top_left_ = luma_.data;
@@ -76,9 +79,9 @@ void AdaptiveFinger::takePicture(const ImageView& picture) {
 }
 
 const std::uint8_t* AdaptiveFinger::greyRow(int y, std::uint8_t* buffer) const {
-  const std::uint8_t* row = top_left_ + y * stride_ * pitch_;
+  const std::uint8_t* row = top_left_ + std::ptrdiff_t{y} * stride_ * pitch_;
   if (stride_ == 1) return row;
-  for (int x = 0; x < width_; ++x) buffer[x] = row[x * stride_];
+  for (int x = 0; x < width_; ++x) buffer[x] = row[std::ptrdiff_t{x} * stride_];
   return buffer;
 }
 
@@ -114,7 +117,8 @@ void AdaptiveFinger::closeCells(int row) {
     const int end = (i + 1) * width_ / cell_columns_;
     std::uint32_t sum = 0;
     for (int x = begin; x < end; ++x) sum += column_sums_[static_cast<std::size_t>(x)];
-    LightSurface::Cell& cell = cells_[static_cast<std::size_t>(row * cell_columns_ + i)];
+    const int place = row * cell_columns_ + i;
+    LightSurface::Cell& cell = cells_[static_cast<std::size_t>(place)];
     cell.grey = static_cast<float>(sum) / static_cast<float>(rows * (end - begin));
     cell.weight = 1.0F;
   }
@@ -132,7 +136,8 @@ void AdaptiveFinger::coverCells() {
       for (int i = 0; i < cell_columns_; ++i) {
         if ((i + 1) * width_ / cell_columns_ <= blob.left - kRim_px) continue;
         if (i * width_ / cell_columns_ >= blob.right + kRim_px) continue;
-        cells_[static_cast<std::size_t>(j * cell_columns_ + i)].weight = 0.0F;
+        const int place = j * cell_columns_ + i;
+        cells_[static_cast<std::size_t>(place)].weight = 0.0F;
       }
     }
   }

@@ -45,8 +45,9 @@ Spectrogram spectrogram(std::span<const double> time_s, std::span<const float> s
   out.bins = n / 2 + 1;
   out.resolution_Hz = rate_Hz / static_cast<double>(n);
   out.first_time_s = time_s.front() + 0.5 * length_s;
-  out.step_s = static_cast<double>(n / 2) / rate_Hz;
-  for (std::size_t start = 0; start + n <= signal.size(); start += n / 2) {
+  const std::size_t hop = n / 2;
+  out.step_s = static_cast<double>(hop) / rate_Hz;
+  for (std::size_t start = 0; start + n <= signal.size(); start += hop) {
     const auto part = signal.subspan(start, n);
     const double took_s = time_s[start + n - 1] - time_s[start];
     const bool whole = std::abs(took_s - length_s) <= tolerance * length_s &&

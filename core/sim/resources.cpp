@@ -17,7 +17,7 @@ std::string findResource(const std::string& given, std::string_view kind) {
   if (given.empty() || given.find('/') != std::string::npos || fs::exists(given, problem)) return given;
   const fs::path shipped = fs::path(resourceFolder()) / kind / given;
   for (const char* ending : {"", ".toml"}) {
-    const std::string path = shipped.string() + ending;
+    std::string path = shipped.string() + ending;
     if (fs::is_regular_file(path, problem)) return path;
   }
   return given;

@@ -31,7 +31,7 @@ Message heldSentence(const pipeline::Event& event, const Lateness& lateness) {
 
 Message stateSentence(const pipeline::Event& event, const Lateness& lateness) {
   using enum pipeline::SafetyState;
-  const Message name = phrase(toString(event.state));
+  Message name = phrase(toString(event.state));
   switch (event.state) {
     case held: return heldSentence(event, lateness);
     case stopped: return say("{} by the operator. Motors are off. Arm to start again.", name);

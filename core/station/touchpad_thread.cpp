@@ -43,7 +43,7 @@ void TouchpadThread::shutDown() {
 
 // Duties that waited while the device did not answer are discarded.
 void TouchpadThread::takeDuties() {
-  std::array<device::VibrationDuty, 64> batch;
+  std::array<device::VibrationDuty, 64> batch{};
   while (const std::size_t taken = duties.pop(batch.data(), batch.size())) {
     if (answering_) touchpad_->queueVibration({batch.data(), taken});
   }

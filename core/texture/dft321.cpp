@@ -57,7 +57,8 @@ void Dft321::reset() {
 }
 
 double Dft321::step(const Vec3& filtered_g) {
-  const auto at = static_cast<std::size_t>(frame_ - hop_ + filled_);
+  const int place = frame_ - hop_ + filled_;
+  const auto at = static_cast<std::size_t>(place);
   history_[0][at] = filtered_g.x;
   history_[1][at] = filtered_g.y;
   history_[2][at] = filtered_g.z;

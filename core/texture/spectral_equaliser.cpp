@@ -56,7 +56,7 @@ void SpectralEqualiser::reset() {
 }
 
 double SpectralEqualiser::step(double signal, const Vec3& axes) {
-  const auto at = static_cast<std::size_t>(kFrame - kHop + filled_);
+  const auto at = kFrame - kHop + static_cast<std::size_t>(filled_);
   history_[0][at] = axes.x;
   history_[1][at] = axes.y;
   history_[2][at] = axes.z;
@@ -120,7 +120,7 @@ double SpectralEqualiser::filtered(double signal) {
   // The signal is stored twice, kTaps apart, so that the newest kTaps samples always stand in one row.
   newest_ = newest_ == 0 ? kTaps - 1 : newest_ - 1;
   recent_[static_cast<std::size_t>(newest_)] = signal;
-  recent_[static_cast<std::size_t>(newest_ + kTaps)] = signal;
+  recent_[static_cast<std::size_t>(newest_) + kTaps] = signal;
   Taps taps(taps_.data(), kTaps);
   taps += Taps(tap_steps_.data(), kTaps);
   return (taps * Taps(recent_.data() + newest_, kTaps)).sum();

@@ -59,8 +59,8 @@ class FYD_API SpectralEqualiser {
   std::array<double, kTaps> taps_{};
   std::array<double, kTaps> tap_steps_{};
   std::array<double, kTaps> next_taps_{};
-  std::array<double, 2 * kTaps> recent_{};  // the signal, newest first from newest_
-  double frame_energy_ = 0.0;               // of the three axes, smoothed like their spectra
+  std::array<double, std::size_t{2} * kTaps> recent_{};  // the signal, newest first from newest_
+  double frame_energy_ = 0.0;                            // of the three axes, smoothed like their spectra
   int newest_ = 0;
   int filled_ = 0;
   int frames_ = 0;

@@ -61,7 +61,7 @@ class FYD_API VirtualTexture {
   SurfaceModel model_;
   double sample_rate_Hz_;
   std::uint64_t seed_;
-  std::uint64_t random_;
+  std::uint64_t random_ = 0;
   std::vector<Band> bands_;
   double speed_mm_s_ = 0.0;
   double force_N_ = 0.0;

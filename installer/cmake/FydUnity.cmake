@@ -1,5 +1,5 @@
 # Files of one folder compiled together: each reads the same headers and instantiates the same templates, which together
-# they do once. Off, each file is an object of its own, as clang-tidy and an editor want it (compile_commands.json).
+# they do once. Off, each file is an object of its own, as an editor wants it (compile_commands.json).
 option(FYD_UNITY "Compile the files of a folder together" ON)
 set(FYD_UNITY_FILES 12 CACHE STRING "Most files that are compiled together")
 

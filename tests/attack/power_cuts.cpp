@@ -77,7 +77,7 @@ int main(int count, char** words) {
   const Session session(folder.file("recorded.h5"));
   const auto& calls = session.disk->calls;
   const std::string file = folder.file();
-  for (const std::size_t sector_bytes : {512, 4096}) {
+  for (const std::size_t sector_bytes : {512U, 4096U}) {
     for (unsigned long i = 0; i < cuts; ++i) {
       const std::size_t end = momentOf(calls, session.acknowledged.front().calls, random);
       report.begin(fmt::format("cut {} at call {} of {}, sectors of {}", i, end, calls.size(), sector_bytes));

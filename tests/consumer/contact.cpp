@@ -32,7 +32,8 @@ f 4 1 5 8
   const TriangleTree tree(*mesh);
   for (const ContactModel model : {ContactModel::facet, ContactModel::proxy}) {
     BodyContact contact(tree, {.stiffness_N_per_mm = 0.8}, {.model = model});
-    for (double depth_mm = -2.0; depth_mm < 3.0; depth_mm += 0.05) {
+    for (int i = -40; i < 60; ++i) {
+      const double depth_mm = 0.05 * i;
       const fyd::Vec3 probe_mm{12.3, -7.1, -depth_mm};
       const Contact touch = contact.touch(probe_mm, {}, tree.nearest(probe_mm));
       expectNear("force upwards, N", touch.force_N.z, depth_mm > 0.0 ? 0.8 * depth_mm : 0.0, 1e-4);

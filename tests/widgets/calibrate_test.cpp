@@ -194,7 +194,7 @@ class CalibrateTest : public QObject {
     QVERIFY(station::saveProfile(c.session->profile, c.profilePath()).has_value());
     ParameterList& offsets = c.session->profile.step.sensing.indentation.ir_offset_mm;
     offsets[0] = offsets[1] = offsets[2] = 98.75;
-    for (double distance_mm = 40.0; distance_mm <= 300.0; distance_mm += 20.0) {
+    for (const double distance_mm : stepsTo(40.0, 300.0, 20.0)) {
       c.session->reports = {touchpad(0.1, sim::irCode(sim::irVolts(distance_mm)))};
       c.take(QString::number(distance_mm));
     }
@@ -514,3 +514,4 @@ std::unique_ptr<QObject> makeCalibrateTest() { return std::make_unique<Calibrate
 }  // namespace fyd::tests
 
 #include "calibrate_test.moc"
+#include "tests/sweep.h"

@@ -497,7 +497,8 @@ class CurveToolsTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(&strip, kPatience_ms));
     std::uniform_real_distribution<double> anywhere(0.0, 1.0);
     std::vector<widgets::CurveColumn> columns;
-    for (double span_s = 0.02; span_s <= 10'000.0; span_s *= 2.6) {
+    double span_s = 0.02;
+    for (int i = 0; i < 14; ++i, span_s *= 2.6) {  // up to about 5000 s
       for (const double share : {0.0, 0.0004, anywhere(random), anywhere(random), 0.9996, 1.0}) {
         const std::size_t spike = spikes[random() % spikes.size()];
         const double at_s = 0.001 * static_cast<double>(spike);

@@ -4,7 +4,6 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <ranges>
 
 #include "widgets/basics/vertical_scroll.h"
 #include "widgets/tuning/tuning_text.h"
@@ -100,8 +99,9 @@ void TuningList::addRows(QVBoxLayout* layout) {
 
 void TuningList::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  const auto wide = [](const TuningRow* row) { return row->wideWidth(); };
-  const int needed_px = std::ranges::max(rows_ | std::views::transform(wide)) + kGrid;
+  int widest_px = 0;
+  for (const TuningRow* row : rows_) widest_px = std::max(widest_px, row->wideWidth());
+  const int needed_px = widest_px + kGrid;
   const int bar_px = scroll_->verticalScrollBar()->sizeHint().width();
   for (TuningRow* row : rows_) row->setNarrow(scroll_->width() - bar_px < needed_px);
 }

@@ -39,9 +39,9 @@ std::string teleopPicture(const std::vector<TeleopPanel>& panels) {
       "font-size=\"10\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       kWide * static_cast<double>(columns) + 10, kHigh * static_cast<double>(rows) + 10);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    out += fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n",
-                       10 + kWide * static_cast<double>(i % columns), 5 + kHigh * static_cast<double>(i / columns),
-                       panelText(panels[i]));
+    const std::size_t row = i / columns, column = i % columns;
+    out += fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n", 10 + kWide * static_cast<double>(column),
+                       5 + kHigh * static_cast<double>(row), panelText(panels[i]));
   }
   return out + "</svg>\n";
 }

@@ -71,6 +71,7 @@ void runTable(const TableOptions& options) {
     throw Failure(say("{}: no recordings (CSV files here, in teleop_1dof or in hand_motion)", options.data));
   }
   std::vector<NamedTrace> traces;
+  traces.reserve(files.size());
   for (const auto& file : files) traces.push_back(beginning(readTrace(file, {}), options.seconds));
   const std::vector<Network> all = networks(options);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();

@@ -75,7 +75,7 @@ void play(const PlayOptions& options) {
   const std::string file = sim::findResource(options.model, "textures");
   const SurfaceModel model = valueOrFail(parseSurface(readTextFile(file), file));
   VirtualTexture surface(model, options.rate_Hz, options.seed);
-  std::vector<double> signal(static_cast<std::size_t>(options.duration_s * options.rate_Hz + 0.5));
+  std::vector<double> signal(static_cast<std::size_t>(std::llround(options.duration_s * options.rate_Hz)));
   double energy = 0.0;
   for (double& sample : signal) {
     sample = surface.step(options.speed_mm_s, options.force_N);

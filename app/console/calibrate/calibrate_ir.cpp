@@ -76,7 +76,7 @@ class IrStep : public CalibrationStep {
     std::mt19937_64 random(static_cast<std::uint64_t>(profile.sim.seed) + sensor_);
     std::normal_distribution<double> noise(0.0, profile.sim.ir_noise_mV / 1000.0);
     std::vector<CalibrationPoint> out;
-    for (double distance_mm = 40.0; distance_mm <= 300.0; distance_mm += 20.0) {
+    for (int distance_mm = 40; distance_mm <= 300; distance_mm += 20) {
       double sum = 0.0, squares = 0.0;
       for (int i = 0; i < readings(); ++i) {
         const double code = sim::irCode(sim::irVolts(distance_mm) + noise(random));

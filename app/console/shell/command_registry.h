@@ -14,11 +14,11 @@
 namespace fyd::console {
 
 struct CommandInfo {
-  const char* id;
-  const char* menu;  ///< "Session"
-  const char* text;  ///< sentence case; "…" only where more input follows
-  const char* icon;
-  const char* keys;
+  const char* id = "";
+  const char* menu = "";  ///< "Session"
+  const char* text = "";  ///< sentence case; "…" only where more input follows
+  const char* icon = "";
+  const char* keys = "";
   bool checkable = false;
 };
 

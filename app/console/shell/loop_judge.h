@@ -18,7 +18,7 @@ class LoopJudge {
   /// Another touchpad is listened to from now on.
   void forget() { motors_age_ms_.reset(); }
   /// What auto-tune identified; none: as the profile describes the sensors.
-  void setCloth(std::optional<control::IdentifiedCloth> cloth) { cloth_ = std::move(cloth); }
+  void setCloth(const std::optional<control::IdentifiedCloth>& cloth) { cloth_ = cloth; }
   [[nodiscard]] const std::optional<control::IdentifiedCloth>& cloth() const { return cloth_; }
 
   /// As measured over the last seconds; none: the motors have not answered yet.

@@ -62,6 +62,7 @@ CameraSettings cameraSettings(const DeviceParameters& parameters) {
 
 std::vector<CameraControl> applyControls(const CameraSettings& settings, const ControlAccess& access) {
   std::vector<CameraControl> out;
+  out.reserve(kControls.size());
   for (const Control& control : kControls) out.push_back(apply(control, settings.*control.wanted, access));
   return out;
 }

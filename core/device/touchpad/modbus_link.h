@@ -18,7 +18,7 @@
 #include "core/device/stable_name.h"
 #include "core/protocol/endpoint.h"
 
-struct _modbus;
+struct _modbus;  // NOLINT(bugprone-reserved-identifier): the name is libmodbus's
 
 namespace fyd::device {
 

@@ -11,7 +11,7 @@
 namespace fyd::recording {
 
 /// Larger pictures are neither recorded nor read: 8192 × 4096 is four times what a 4K camera gives.
-inline constexpr std::int64_t kMostPixels = 8192 * 4096;
+inline constexpr std::int64_t kMostPixels = std::int64_t{8192} * 4096;
 
 /// Size from the header of a PNG or of a baseline JPEG, the two kinds that are recorded; nothing for anything else.
 [[nodiscard]] std::optional<cv::Size> pictureSize(std::span<const std::uint8_t> bytes);

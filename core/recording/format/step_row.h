@@ -17,7 +17,7 @@ inline constexpr bool kIsList<Batch<V, N>> = true;
 /// Of each of the inputs' tables, and of /events, which is the last: the row of the value, or of the first of a list.
 struct StepPlaces {
   StepPlaces() { row.fill(kNoRow); }
-  std::array<std::uint64_t, kInputTableCount + 1> row;
+  std::array<std::uint64_t, kInputTableCount + 1> row{};
   std::array<std::uint8_t, kInputTableCount + 1> count{};
 };
 

@@ -93,10 +93,9 @@ Overview overviewOf(const RecordingTables& tables, Instant started, std::size_t 
                     std::uint64_t end, std::size_t buckets) {
   Overview overview;
   if (buckets == 0 || first >= end) return overview;
-  int level = -1;
-  while (level + 1 < static_cast<int>(kOverviewRows.size()) &&
-         kOverviewRows[static_cast<std::size_t>(level + 1)] <= (end - first) / buckets)
-    ++level;
+  std::size_t levels = 0;  // as many as are coarse enough; of these the last is read
+  while (levels < kOverviewRows.size() && kOverviewRows[levels] <= (end - first) / buckets) ++levels;
+  const int level = static_cast<int>(levels) - 1;
   // Buckets begin at multiples of the level's rows, so that only the two outermost touch finer levels.
   const std::uint64_t unit = level < 0 ? 1 : kOverviewRows[static_cast<std::size_t>(level)];
   const std::uint64_t origin = first / unit * unit;

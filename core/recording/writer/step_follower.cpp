@@ -12,7 +12,8 @@ StepFollower::StepFollower(const pipeline::Parameters& step, const pipeline::Loc
     : pre_trigger_s_(pre_trigger_s), shadow_(step, local) {}
 
 void StepFollower::push(const StepView& step) noexcept {
-  std::array<std::byte, kLargestPackedStep> packed;  // not initialised: only what is used is written
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only what is used is written
+  std::array<std::byte, kLargestPackedStep> packed;
   const std::size_t bytes = packStep(step, packed);
   if (ring_.write_available() < bytes) {
     lost_.fetch_add(1, std::memory_order_relaxed);

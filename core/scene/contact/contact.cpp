@@ -32,7 +32,7 @@ struct BodyContact::Prepared {
 };
 
 BodyContact::BodyContact(const TriangleTree& tree, Surface surface, ContactSettings settings)
-    : tree_(&tree), surface_(std::move(surface)), settings_(settings) {
+    : tree_(&tree), surface_(surface), settings_(settings) {
   const auto prepared = std::make_shared<Prepared>();
   const MeshReport& report = tree.mesh().report();
   const double diagonal_mm = length(report.highest_mm - report.lowest_mm);

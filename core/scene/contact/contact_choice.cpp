@@ -126,6 +126,7 @@ ContactChoiceReport chooseContact(const TriangleTree& tree, const Surface& surfa
   };
   BodyContact vicinity = contactOf(ContactModel::vicinity);
   std::vector<Contact> reference;
+  reference.reserve(places.size());
   for (const Place& place : places)
     reference.push_back(vicinity.touch(place.probe_mm, {}, tree.nearest(place.probe_mm)));
   const double fit = leaveOneOutError(tree, vicinity, out.depth_mm);

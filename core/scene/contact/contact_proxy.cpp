@@ -112,6 +112,7 @@ Vec3 towardsNearerNeighbour(const Mesh& mesh, const Nearest& q, const Vec3& from
 
 /// The triangles that a sphere can meet before its middle is farther than reach_mm from where it was: looked up once
 /// for all changes of direction on its way. Sorted by distance, so that a search can end early.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): of `near` only the first `count` are read
 struct ContactProxy::NearTriangles {
   struct Near {
     double gap_mm;  // between the sphere and the triangle, when looked up

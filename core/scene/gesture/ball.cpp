@@ -273,9 +273,11 @@ BallStep stepBall(const BallParameters& parameters, BallGameState& state, const 
 BallState flyBall(const BallParameters& parameters, const BallState& ball, double seconds) {
   if (refused(ball) || !(seconds > 0.0 && seconds <= kLongest_s)) return ball;
   BallGameState state{.ball = ball, .racket = {}, .pending_impulse_Ns = {}};
-  for (double left_s = seconds; left_s > kInstant_s; left_s -= kLongestStep_s) {
+  double left_s = seconds;
+  while (left_s > kInstant_s) {
     BallStep step;
     static_cast<void>(Step(parameters, state, nullptr, std::min(left_s, kLongestStep_s), step).run());
+    left_s -= kLongestStep_s;
   }
   return state.ball;
 }

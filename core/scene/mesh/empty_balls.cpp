@@ -36,7 +36,7 @@ struct Corners {
 /// For one triangle T: on each side the largest ball that touches T and holds nothing of what was checked so far.
 struct TriangleTree::EmptyBalls {
   const TriangleTree& tree;
-  Triangle own;
+  Triangle own{};
   Corners corners;  // relative to the mesh's middle
   Vec3 normal;
   double slack_mm = 0.0;
@@ -126,7 +126,7 @@ struct TriangleTree::EmptyBalls {
         ofNode(child);
         continue;
       }
-      const Triangle& t = tree.mesh_->triangles()[static_cast<std::size_t>(~child)];
+      const Triangle& t = tree.mesh_->triangles()[static_cast<std::uint32_t>(~child)];
       const bool apart = std::none_of(t.begin(), t.end(),
                                       [this](std::uint32_t v) { return v == own[0] || v == own[1] || v == own[2]; });
       const auto v = tree.mesh_->vertices();

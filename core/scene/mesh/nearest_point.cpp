@@ -190,6 +190,7 @@ Nearest NearestPoint::ofTriangle(const Vec3& probe_mm, std::uint32_t triangle) c
   return nearestOf(probe_mm, v[t[0]], v[t[1]], v[t[2]], triangle);
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): of `vertex` only the first `count` are read
 struct NearestPoint::CheckedVertices {
   std::array<std::uint32_t, 6> vertex;
   std::size_t count = 0;
@@ -229,7 +230,7 @@ bool NearestPoint::improveAround(const Vec3& probe_mm, std::uint32_t triangle, c
   const auto away = [radius](WalkableMesh::Side::Quantised quantised) {
     return radius * WalkableMesh::dequantised(quantised);
   };
-  std::array<bool, 3> beyond, strip;
+  std::array<bool, 3> beyond{}, strip{};
   for (std::size_t e = 0; e < 3; ++e) {
     const double over = share[kNext[kNext[e]]];
     beyond[e] = e != on_edge && !(over > away(side.edge[e]) && over > kAtEdge);

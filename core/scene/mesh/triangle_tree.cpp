@@ -248,6 +248,7 @@ struct TriangleTree::Search {
   }
 };
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): of `place` only the first `count` are read
 struct TriangleTree::OpenList {
   struct Place {
     float squared;
@@ -321,7 +322,8 @@ void TriangleTree::visitNear(const Vec3& from_mm, const Vec3& to_mm, double dist
   const auto beside = static_cast<float>((distance_mm + rounding_mm) * (1.0 + kTreeRounding));
   const auto way_squared = static_cast<float>(squared(half));
   const float by_way = way_squared > 0.0F ? 1.0F / way_squared : 0.0F;
-  std::array<std::int32_t, 256> open;  // as OpenList's
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): as OpenList's
+  std::array<std::int32_t, 256> open;
   std::size_t count = 0;
   open[count++] = 0;
   while (count > 0) {

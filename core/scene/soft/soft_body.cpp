@@ -136,10 +136,12 @@ const SoftContact& SoftBody::step(double step_s, const Vec3& hand_mm) {
     return contact_;
   }
   constexpr double kMostParts = 1000.0;
-  const double parts = std::clamp(std::ceil(step_s / resolution_.longest_step_s - 1e-9), 1.0, kMostParts);
+  const auto parts =
+      static_cast<int>(std::clamp(std::ceil(step_s / resolution_.longest_step_s - 1e-9), 1.0, kMostParts));
   const Vec3 from = hand_known_ ? last_hand_mm_ : hand_mm;
-  for (double i = 1.0; i <= parts; ++i) {
-    substep(step_s / parts, i == parts ? hand_mm : from + (i / parts) * (hand_mm - from));
+  for (int i = 1; i <= parts; ++i) {
+    const double share = i / static_cast<double>(parts);
+    substep(step_s / parts, i == parts ? hand_mm : from + share * (hand_mm - from));
   }
   limitToPaidEnergy(hand_mm - from);
   last_hand_mm_ = hand_mm;

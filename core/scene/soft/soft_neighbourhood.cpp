@@ -47,7 +47,7 @@ SoftBody::Place SoftBody::placeUnder(const Vec3& hand_mm) {
   const double radius2 = finger_mm_ * finger_mm_;
   double sum = 0.0;
   Vec3 slopes{};
-  for (std::size_t at = 0; at < queue_.size(); ++at) {
+  for (std::size_t at = 0; at < queue_.size(); ++at) {  // NOLINT(modernize-loop-convert): the queue grows meanwhile
     const std::uint32_t i = queue_[at];
     const Vec3 from = mesh.vertices()[i] - place.at_mm;
     const double inside = 1.0 - squared(from) / radius2;

@@ -111,13 +111,13 @@ ModbusException ModbusResponder::obey(const std::uint8_t* pdu, int length, Insta
     if (!RegisterBank::readable(read_at, read_count)) return ModbusException::illegal_address;
   }
   if (write_at < 0) return ModbusException::none;
-  const bool whole =
-      values + 2 * write_count <= pdu + length && (function == kWriteSingle || values[-1] == 2 * write_count);
+  const std::ptrdiff_t bytes = 2 * std::ptrdiff_t{write_count};
+  const bool whole = values + bytes <= pdu + length && (function == kWriteSingle || values[-1] == bytes);
   if (write_count < 1 || write_count > MODBUS_MAX_WRITE_REGISTERS || !whole) return ModbusException::illegal_value;
   std::array<std::uint16_t, MODBUS_MAX_WRITE_REGISTERS> words{};
-  for (int i = 0; i < write_count; ++i)
-    words[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(word(values + 2 * i));
-  return electronics_->write(master_, write_at, {words.data(), static_cast<std::size_t>(write_count)}, now);
+  const auto count = static_cast<std::size_t>(write_count);
+  for (std::size_t i = 0; i < count; ++i) words[i] = static_cast<std::uint16_t>(word(values + 2 * i));
+  return electronics_->write(master_, write_at, {words.data(), count}, now);
 }
 
 void ModbusResponder::answer(const std::uint8_t* request, int length) {

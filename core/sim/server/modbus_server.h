@@ -14,8 +14,10 @@
 #include "core/sim/server/serial_end.h"
 #include "core/sim/server/touchpad_electronics.h"
 
+// NOLINTBEGIN(bugprone-reserved-identifier): the names are libmodbus's
 struct _modbus;
 struct _modbus_mapping_t;
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace fyd::sim {
 

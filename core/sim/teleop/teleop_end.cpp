@@ -121,11 +121,12 @@ void TeleopEnd::hear(const protocol::DeviceMessage& message) {
     // The positions that a message each period would have carried, to within the band.
     if (fed_s_) {
       const double from_s = std::max(*fed_s_, message.date_s - kMostTold * settings_.period_s);
-      for (double date_s = from_s + settings_.period_s; date_s < message.date_s - 0.5 * settings_.period_s;
-           date_s += settings_.period_s) {
+      double date_s = from_s + settings_.period_s;
+      while (date_s < message.date_s - 0.5 * settings_.period_s) {  // half a period: no rounding adds a step
         std::array<std::optional<double>, 3> at;
         for (std::size_t a = 0; a < at.size(); ++a) at[a] = receiver_.place(date_s, a, channels_[a]);
         if (at[0] && at[1] && at[2]) predictor_->message(date_s, {*at[0], *at[1], *at[2]});
+        date_s += settings_.period_s;
       }
     }
     fed_s_ = std::max(fed_s_.value_or(message.date_s), message.date_s);

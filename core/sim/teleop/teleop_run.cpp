@@ -56,7 +56,7 @@ Recorded resampled(const Trace& trace) {
     if (high[a] > low[a]) out.scale = std::min(out.scale, kRoom * side[a] / (high[a] - low[a]));
   }
   const double start_s = trace.time_s[rows.front()];
-  const auto ticks = static_cast<std::size_t>((trace.time_s[rows.back()] - start_s) / kStep_s + 0.5) + 1;
+  const auto ticks = static_cast<std::size_t>(std::llround((trace.time_s[rows.back()] - start_s) / kStep_s)) + 1;
   std::size_t next = 1;
   for (std::size_t i = 0; i < ticks; ++i) {
     const double t = start_s + kStep_s * static_cast<double>(i);
@@ -108,7 +108,7 @@ double delay_s(const NetworkSettings& way) {
 class Told {
  public:
   Told(const TeleopEnd& end, std::size_t channel, double later_s)
-      : end_(end), channel_(channel), later_(static_cast<std::size_t>(later_s / kStep_s + 0.5)) {}
+      : end_(end), channel_(channel), later_(static_cast<std::size_t>(std::llround(later_s / kStep_s))) {}
 
   /// At each step, since which both are linked. @return the step that is asked about and the answer, if it is known
   std::optional<std::pair<std::size_t, teleop::DeadbandReceiver::Answer>> step(std::size_t now, double truth) {

@@ -32,7 +32,7 @@ void addProduct(const std::array<float, kRows>& in, const float* matrix, std::ar
 
 template <std::size_t kSize>
 std::array<float, kSize> copied(const float* from) {
-  std::array<float, kSize> out;
+  std::array<float, kSize> out{};
   std::copy_n(from, kSize, out.begin());
   return out;
 }

@@ -120,7 +120,9 @@ Model fitModel(const Spectra& spectra) {
     found = m;
     return true;
   };
-  for (double f = 15.0; f < 300.0; f *= 1.08) {
+  constexpr int kResonances = 39;  // from 15 to 300 Hz
+  double f = 15.0;
+  for (int i = 0; i < kResonances; ++i, f *= 1.08) {
     for (const double z : {0.08, 0.15, 0.25, 0.4, 0.65, 1.0}) {
       for (const double d : {-1.0, 0.0, 1.0, 2.0, 4.0}) keepIfBetter({f, z, d, 1.0});
     }

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kRate_Hz = 1000.0;
 constexpr double kLowest_Hz = 20.0;
-constexpr double kHighest_Hz = 400.0;
 constexpr std::size_t kEnvelopeWindow = 50;          // samples, overlap one half
 constexpr std::size_t kLargestLag = 50;              // samples
 constexpr double kThirdOctave = 1.2599210498948732;  // 2^(1/3)
@@ -52,7 +51,10 @@ double spectralMatch(const signal::Spectrum& wanted, const signal::Spectrum& fin
 double thirdOctaveError(const signal::Spectrum& wanted, const signal::Spectrum& finger) {
   std::vector<double> weights;
   std::vector<double> differences;
-  for (double centre = 25.0; centre < kHighest_Hz; centre *= kThirdOctave) {
+  // Counted, up to 317 Hz: the next, at the end of 400 Hz, would be one of them or not by its rounding.
+  constexpr int kBands = 12;
+  double centre = 25.0;
+  for (int band = 0; band < kBands; ++band, centre *= kThirdOctave) {
     double a = 0.0;
     double b = 0.0;
     for (std::size_t k = 0; k < wanted.density.size(); ++k) {

@@ -49,7 +49,7 @@ void InverseCloth::tune(double resonance_Hz, double damping) {
 double InverseCloth::step(double wanted) {
   newest_ = newest_ == 0 ? kTaps - 1 : newest_ - 1;
   delay_line_[static_cast<std::size_t>(newest_)] = wanted;
-  delay_line_[static_cast<std::size_t>(newest_ + kTaps)] = wanted;
+  delay_line_[static_cast<std::size_t>(newest_) + kTaps] = wanted;
   MappedTaps taps(taps_.data(), kTaps);
   if (transition_left_ > 0) {
     taps += (MappedTaps(target_taps_.data(), kTaps) - taps) / transition_left_;

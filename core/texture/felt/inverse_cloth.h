@@ -43,7 +43,8 @@ class InverseCloth {
   signal::RealFft fft_;
   std::array<double, kTaps> taps_{};
   std::array<double, kTaps> target_taps_{};
-  std::array<double, 2 * kTaps> delay_line_{};  // past inputs, newest first from newest_; stored twice to be contiguous
+  std::array<double, std::size_t{2} * kTaps>
+      delay_line_{};  // past inputs, newest first from newest_; stored twice to be contiguous
   int newest_ = 0;
   int transition_left_ = 0;  // samples until taps_ equal target_taps_
 };

@@ -33,7 +33,7 @@ TEST(FriLimits, AreKeptInTheControllersTicks) {
 
 TEST(FriLimits, AreKeptThroughJitterLossLateMessagesAndPauses) {
   for (const double tick_s : kTicks_s) {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
       SCOPED_TRACE(fmt::format("tick {} s, seed {}", tick_s, seed));
       FakeKrc krc({.tick_s = tick_s,
                    .delay_s = 0.1 * tick_s,

@@ -100,9 +100,9 @@ TEST_F(Fri, CommandModeHoldsFirstThenCarriesTheTargetInMetresWithTheThesisImpeda
   EXPECT_NEAR(command.frame[3], 0.5 - 0.020, 1e-6);
   EXPECT_NEAR(command.frame[7], 0.1 - 0.010, 1e-6);
   EXPECT_NEAR(command.frame[11], 0.3 - 0.030, 1e-6);
-  for (const std::size_t i : {0, 1, 2, 4, 5, 6, 8, 9, 10}) EXPECT_EQ(command.frame[i], found[i]);
-  for (const std::size_t i : {0, 1, 2}) EXPECT_EQ(command.cartesian_stiffness[i], 1000.0F);
-  for (const std::size_t i : {3, 4, 5}) EXPECT_EQ(command.cartesian_stiffness[i], 300.0F);
+  for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U, 8U, 9U, 10U}) EXPECT_EQ(command.frame[i], found[i]);
+  for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(command.cartesian_stiffness[i], 1000.0F);
+  for (const std::size_t i : {3U, 4U, 5U}) EXPECT_EQ(command.cartesian_stiffness[i], 300.0F);
   for (const float damping : command.cartesian_damping) EXPECT_EQ(damping, 0.3F);
 }
 

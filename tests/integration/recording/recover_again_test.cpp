@@ -76,7 +76,7 @@ TEST_F(RecoverAgain, AfterAKillAtAnyCall) {
 
 TEST_F(RecoverAgain, AfterAPowerCutAtAnyCall) {
   std::mt19937 random(8);
-  for (const std::size_t sector_bytes : {512, 4096}) {
+  for (const std::size_t sector_bytes : {512U, 4096U}) {
     for (std::size_t end = 0; end <= disk->calls.size(); ++end) {
       put(partialOf(file), diskAfterCut(disk->calls, end, sector_bytes, random, left));
       expectMadeWhole(end);

@@ -15,6 +15,7 @@
 #include "core/control/static_law.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/sensing_parameters.h"
+#include "tests/sweep.h"
 
 namespace fyd::calibration {
 namespace {
@@ -155,7 +156,7 @@ TEST(IrCalibration, RecoversTheThesisPolynomialFromItsOwnPoints) {
   EXPECT_TRUE(found.result.outliers.empty());
   EXPECT_LT(found.result.max_residual, 1e-6) << found.result.curve.text();
   const auto fitted = found.curve.sensor(0, 4095);
-  for (double d = 45; d < 295; d += 5) EXPECT_NEAR(fitted.distance_mm(thesis.voltsAt(d)), d, 1e-5);
+  for (const double d : stepsBefore(45, 295, 5)) EXPECT_NEAR(fitted.distance_mm(thesis.voltsAt(d)), d, 1e-5);
   // and the degree-5 candidate itself finds the six printed figures
   const auto samples = readingsOf([&](double d) { return thesis.voltsAt(d); }, kDistances, 1, 0, 1);
   const auto quintic = fitIrCurve(IrCandidate::degree5, irPoints(samples.adc, samples.distance_mm, 10));
@@ -324,7 +325,7 @@ TEST(StiffnessMap, RecoversTheThesisPointsWithAWrongTare) {
     std::normal_distribution<double> noise(0, 0.03);
     StiffnessSamples samples;
     for (const auto& [angle, k] : kThesis) {
-      for (double depth = 1; depth <= 10; depth += 1) {
+      for (const double depth : stepsTo(1, 10, 1)) {
         samples.angle_deg.push_back(angle + 0.2 * noise(random));
         samples.indentation_mm.push_back(depth);
         samples.force_N.push_back(k * depth + 0.15 + noise(random));
@@ -357,8 +358,8 @@ TEST(Camera, RecoversScalesTurnAndMirrorAsTheDetectorUsesThem) {
       truth.centre_x_px = 143;
       truth.centre_y_px = 117;
       CameraSamples samples;
-      for (double u = 45; u <= 255; u += 35) {
-        for (double v = 50; v <= 190; v += 35) {
+      for (const double u : stepsTo(45, 255, 35)) {
+        for (const double v : stepsTo(50, 190, 35)) {
           double x = 0, y = 0;
           toMillimetres(truth, u, v, x, y);
           samples.x_px.push_back(u);
@@ -448,7 +449,7 @@ TEST(Camera, AHeightThatThePointsDoNotTellIsRefused) {
   CameraSamples few = throughAPinhole(100, {0, 8}, 40, 0, 1);
   for (auto* column : {&few.x_px, &few.y_px, &few.x_mm, &few.y_mm, &few.depth_mm}) {
     std::vector<double> kept;
-    for (const std::size_t i : {0, 2, 6, 11, 17}) kept.push_back((*column)[i]);
+    for (const std::size_t i : {0U, 2U, 6U, 11U, 17U}) kept.push_back((*column)[i]);
     *column = kept;
   }
   EXPECT_THAT(refusedFor(few), testing::HasSubstr("at least 6"));
@@ -473,8 +474,8 @@ TEST(Camera, DepthsThatAreNoneAreRefusedByName) {
 
 TEST(Camera, ATiltedViewIsFoundOut) {
   CameraSamples samples;
-  for (double u = 45; u <= 255; u += 35) {
-    for (double v = 50; v <= 190; v += 35) {
+  for (const double u : stepsTo(45, 255, 35)) {
+    for (const double v : stepsTo(50, 190, 35)) {
       const double depth = 1 + 0.002 * (v - 120);
       samples.x_px.push_back(u);
       samples.y_px.push_back(v);

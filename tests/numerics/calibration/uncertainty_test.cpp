@@ -10,6 +10,7 @@
 #include "core/calibration/encoder_calibration.h"
 #include "core/calibration/load_cell_calibration.h"
 #include "core/calibration/stiffness_map.h"
+#include "tests/sweep.h"
 
 namespace fyd::calibration {
 namespace {
@@ -74,8 +75,8 @@ TEST(Uncertainty, OfTheCamerasScaleIsItsSpread) {
   Spreads spreads;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
     CameraSamples samples;
-    for (double x_px = 50; x_px <= 250; x_px += 50) {
-      for (double y_px = 50; y_px <= 190; y_px += 35) {
+    for (const double x_px : stepsTo(50, 250, 50)) {
+      for (const double y_px : stepsTo(50, 190, 35)) {
         samples.x_px.push_back(x_px);
         samples.y_px.push_back(y_px);
         samples.x_mm.push_back(0.4545 * (x_px - 150) + noise(0.05));
@@ -107,7 +108,7 @@ TEST(Uncertainty, OfTheEncodersIsTheirSpread) {
   Spreads spreads;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
     EncoderSamples samples;
-    for (double deg = 0; deg <= 60; deg += 5) {
+    for (const double deg : stepsTo(0, 60, 5)) {
       for (const std::size_t motor : {std::size_t{0}, std::size_t{1}}) {
         samples.command_deg[motor].push_back(deg);
         samples.counts[motor].push_back(1000.0 + 4096.0 / 360.0 * deg + noise(2.0));

@@ -9,6 +9,7 @@
 #include "core/control/pid.h"
 #include "core/control/stiffness_controller.h"
 #include "tests/not_a_number.h"
+#include "tests/sweep.h"
 #include "tests/unit/control/bench_plant.h"
 
 namespace fyd::control {
@@ -250,7 +251,7 @@ TEST(LawHardCases, PointsThatNearlyCoincideStayMonotone) {
   ASSERT_TRUE(
       law.configure(StaticLawKind::interpolated, {{20, 20 + 1e-9, 50, 90}, 4}, {{0.5, 0.6, 0.6 + 1e-12, 0.7}, 4}));
   double last = 0;
-  for (double angle = 20; angle <= 90; angle += 0.01) {
+  for (const double angle : stepsTo(20, 90, 0.01)) {
     const double k = law.stiffness_N_per_mm(angle).value;
     EXPECT_TRUE(std::isfinite(k));
     EXPECT_GE(k, last - 1e-12);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/sweep.h"
 #include "tests/unit/scene/touched_body.h"
 
 namespace fyd::scene {
@@ -85,8 +86,8 @@ TEST(ContactTruth, VicinityOnASphereOf10000Triangles) {
 TEST(ContactTruth, ACubeIsTouchedWithItsFacesAlsoNearItsEdges) {
   for (const ContactModel model : {ContactModel::facet, ContactModel::vicinity}) {
     TouchedBody body(shapes::box(10.0, 10.0, 10.0), model, 0.0, {1.0, 0.0, 0.0, 0.0});
-    for (double x = -9.95; x < 10.0; x += 0.3111) {
-      for (double z = 5.1; z < 10.0; z += 0.17) {
+    for (const double x : stepsBefore(-9.95, 10.0, 0.3111)) {
+      for (const double z : stepsBefore(5.1, 10.0, 0.17)) {
         const Contact c = body.at({x, 0.7, z});
         ASSERT_TRUE(c.touching);
         const bool top = 10.0 - z < 10.0 - std::abs(x);
@@ -107,7 +108,7 @@ TEST(ContactTruth, OverAConcaveEdgeTheWayOutLeadsToIt) {
   for (const ContactModel model : {ContactModel::facet, ContactModel::vicinity}) {
     TouchedBody body(shapes::heights(20.0, 8, [](double x, double) { return std::abs(x); }), model, 0.0,
                      {1.0, 0.0, 0.0, 0.0});
-    for (double x = -0.9; x < 0.95; x += 0.1) {
+    for (const double x : stepsBefore(-0.9, 0.95, 0.1)) {
       const Contact c = body.at({x, 1.3, -1.0});  // the edge is nearest as long as |x| < 1
       ASSERT_TRUE(c.touching) << x;
       EXPECT_NEAR(length(c.force_N - Vec3{-x, 0.0, 1.0}), 0.0, 1e-6) << x;

@@ -3,6 +3,7 @@
 #include "app/bench/parts/pressed_cloth.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/indentation.h"
+#include "tests/sweep.h"
 
 namespace fyd::sensing {
 namespace {
@@ -40,8 +41,8 @@ TEST(IndentationAccuracy, HalvesTheThesisErrorOverTheWholeCloth) {
   double squares[2] = {0, 0};
   int samples[2] = {0, 0};
   std::uint64_t seed = 1;
-  for (double x = -43; x <= 43.1; x += 10.75) {
-    for (double y = -28; y <= 28.1; y += 14) {
+  for (const double x : stepsTo(-43, 43.1, 10.75)) {
+    for (const double y : stepsTo(-28, 28.1, 14)) {
       for (const double depth : {3.0, 8.0}) {
         ++seed;
         for (const auto mode : {IndentationMode::membrane, IndentationMode::thesis}) {

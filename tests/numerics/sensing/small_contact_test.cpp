@@ -10,6 +10,7 @@
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/indentation.h"
 #include "core/sim/touchpad/picture.h"
+#include "tests/sweep.h"
 
 namespace fyd::sensing {
 namespace {
@@ -57,8 +58,8 @@ TEST(SmallContacts, FromThePictureToPlaceAndAreaOnTheClothSixMillimetresDeep) {
     for (const double area_mm2 : {12.0, 20.0, 35.0, 60.0, 100.0}) {
       double place = 0.0, area = 0.0, bias = 0.0;
       int count = 0;
-      for (double x = -40.0; x <= 40.0; x += 10.3) {
-        for (double y = -24.0; y <= 24.0; y += 7.7) {
+      for (const double x : stepsTo(-40.0, 40.0, 10.3)) {
+        for (const double y : stepsTo(-24.0, 24.0, 7.7)) {
           sim::WorldSnapshot world;
           world.finger = {.x_mm = x, .y_mm = y, .indentation_mm = kDepth_mm, .lifted = false};
           world.force_N = 3.0;

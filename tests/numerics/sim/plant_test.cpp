@@ -12,6 +12,7 @@
 #include "core/sim/touchpad/ir_sensor.h"
 #include "core/sim/touchpad/simulated_camera.h"
 #include "core/sim/touchpad/simulated_touchpad.h"
+#include "tests/sweep.h"
 
 namespace fyd::sim {
 namespace {
@@ -148,8 +149,8 @@ TEST(Membrane, ThePlaneOfTheThesisFallsShortOfThePressByTheseFigures) {
     return 9 * z[0] / 20 + z[1] / 10 + 9 * z[2] / 20 - x * z[0] / 44 + x * z[2] / 44 - y * z[0] / 60 + y * z[1] / 30 -
            y * z[2] / 60;
   };
-  for (double x = -45.0; x <= 45.0; x += 5.0) {
-    for (double y = -30.0; y <= 30.0; y += 5.0) {
+  for (const double x : stepsTo(-45.0, 45.0, 5.0)) {
+    for (const double y : stepsTo(-30.0, 30.0, 5.0)) {
       const double error = 5.0 * (planeAt(x, y) - 1.0);  // mm, for a press of 5 mm
       worst = std::max(worst, std::abs(error));
       squares += error * error;

@@ -39,7 +39,7 @@ TEST(Checksum, AgreesWithBoostAtEveryLengthAndAlignment) {
   std::vector<std::byte> bytes(4100);
   for (auto& b : bytes) b = static_cast<std::byte>(random());
   for (std::size_t first = 0; first < 9; ++first) {
-    for (std::size_t count : {0, 1, 7, 8, 9, 63, 64, 65, 1023, 4000}) {
+    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 63U, 64U, 65U, 1023U, 4000U}) {
       const auto part = std::span(bytes).subspan(first, count);
       EXPECT_EQ(crc32c(part), referenceCrc32c(part)) << first << ' ' << count;
     }

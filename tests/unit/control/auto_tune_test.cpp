@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/not_a_number.h"
+#include "tests/sweep.h"
 #include "tests/unit/control/bench_plant.h"
 
 namespace fyd::control {
@@ -34,7 +35,7 @@ std::vector<TuneSample> excite(double scale, double delay_s, double lag_s, doubl
 TEST(Excitation, StaysInTheMiddleOfTheTravelAndSlow) {
   const ControlParameters parameters;
   double last = excitationAngle_deg(0, parameters);
-  for (double t = 0; t < 2 * kExcitation_s; t += 0.001) {
+  for (const double t : stepsBefore(0, 2 * kExcitation_s, 0.001)) {
     const double angle = excitationAngle_deg(t, parameters);
     EXPECT_GE(angle, 20 + 0.25 * 70 - 1e-9);
     EXPECT_LE(angle, 20 + 0.75 * 70 + 1e-9);

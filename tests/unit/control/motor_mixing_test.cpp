@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tests/not_a_number.h"
+#include "tests/sweep.h"
 
 namespace fyd::control {
 namespace {
@@ -78,7 +79,7 @@ TEST(RollerAngles, CountsBeyondTwelveBitsAreNoAngle) {
 
 TEST(RollerAngles, EveryCommandedStretchReadsBackWithinACount) {
   MotorMixing mixing;
-  for (double stretch = -110; stretch <= 110; stretch += 0.7) {
+  for (const double stretch : stepsTo(-110, 110, 0.7)) {
     MotorCommand command;
     mixing.mix(stretch, 5, command);
     MotorFeedback feedback;

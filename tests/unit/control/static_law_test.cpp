@@ -7,6 +7,7 @@
 
 #include "core/base/profile_text.h"
 #include "tests/not_a_number.h"
+#include "tests/sweep.h"
 
 namespace fyd::control {
 namespace {
@@ -42,7 +43,7 @@ TEST(StaticLaw, InterpolatedBetweenPointsByHand) {
 TEST(StaticLaw, InterpolatedRisesEverywhereAndTheInverseAgrees) {
   const StaticLaw law;
   double last = 0.0;
-  for (double angle = 20; angle <= 90; angle += 0.25) {
+  for (const double angle : stepsTo(20, 90, 0.25)) {
     const double k = law.stiffness_N_per_mm(angle).value;
     EXPECT_GT(k, last) << angle;
     EXPECT_NEAR(law.stiffness_N_per_mm(law.angle_deg(k).value).value, k, 1e-12) << angle;

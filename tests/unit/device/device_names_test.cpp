@@ -56,7 +56,7 @@ TEST(DeviceClock, AWrapIsNoRestartAndARestartIsSeen) {
 
 TEST(DeviceClock, ADayOfCyclesHasNoRestart) {
   std::uint64_t us = 0;
-  for (int cycle = 0; cycle < 86'400; ++cycle) {
+  for (std::uint64_t cycle = 0; cycle < 86'400; ++cycle) {
     const std::uint64_t next = us + 1'000'000 + cycle % 3;
     ASSERT_FALSE(
         deviceRestarted(static_cast<std::uint32_t>(us), static_cast<std::uint32_t>(next), std::chrono::seconds(1)));

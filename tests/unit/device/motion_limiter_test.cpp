@@ -62,7 +62,8 @@ TEST(MotionLimiter, ArrivesExactlyWithoutOvershootAtAnyTick) {
     for (const double goal : {0.001, 0.5, 3.0, 20.0, -34.9}) {
       Watch watch({}, tick_s);
       double furthest = 0.0;
-      for (double t = 0.0; t < 1.5; t += tick_s) furthest = std::max(furthest, std::abs(watch.apply({goal, 0, 0}).x));
+      const auto ticks = std::lround(std::ceil(1.5 / tick_s));
+      for (long i = 0; i < ticks; ++i) furthest = std::max(furthest, std::abs(watch.apply({goal, 0, 0}).x));
       EXPECT_NEAR(watch.limiter.position_mm().x, goal, 1e-9) << tick_s;
       EXPECT_TRUE(watch.limiter.atRest()) << tick_s;
       EXPECT_LE(furthest, std::abs(goal) + 1e-9);

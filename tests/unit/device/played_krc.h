@@ -161,7 +161,7 @@ class FakeKrc {
     ++measurement.header.sequence;
     if (options_.stamps) measurement.time_s = static_cast<float>(time_s_);
     measurement.commanded_frame = options_.in_offset ? programmed_ : commanded_;
-    for (const std::size_t i : {3, 7, 11}) {
+    for (const std::size_t i : {3U, 7U, 11U}) {
       if (options_.in_offset) measurement.frame_offset[i] = commanded_[i] - programmed_[i];
       measurement.frame[i] += 0.2F * (commanded_[i] - measurement.frame[i]);
     }

@@ -199,7 +199,8 @@ TEST(FriCodec, NumbersThatAreNoneAreRefusedWhereverTheyStand) {
   FriMeasurement m;
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                           -std::numeric_limits<float>::infinity()}) {
-    for (const std::size_t at : {8, 68, 140, 148, 152, 156, 160, 164, 168, 172, 188, 216, 503 - 3, 912}) {
+    for (const std::size_t at :
+         {8U, 68U, 140U, 148U, 152U, 156U, 160U, 164U, 168U, 172U, 188U, 216U, 503U - 3U, 912U}) {
       MeasurementBytes b = encodeFriMeasurement(measurement());
       putReal(b, at, bad);
       EXPECT_EQ(decodeFriMeasurement(b, m), FriRefusal::not_finite) << at;

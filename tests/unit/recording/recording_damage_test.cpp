@@ -45,7 +45,7 @@ TEST(RecordingDamage, WhatIsNoRecordingIsAnError) {
   EXPECT_FALSE(Recording::open(folder.path()));
   EXPECT_FALSE(Recording::open("/dev/null"));
   std::mt19937 random(1);
-  for (const std::size_t size : {0, 1, 7, 511, 4096, 100'000}) {
+  for (const std::size_t size : {0U, 1U, 7U, 511U, 4096U, 100'000U}) {
     std::string garbage(size, '\0');
     for (char& c : garbage) c = static_cast<char>(random());
     write(folder.file(), garbage);

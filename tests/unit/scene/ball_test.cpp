@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/not_a_number.h"
+#include "tests/sweep.h"
 
 namespace fyd::scene {
 namespace {
@@ -74,7 +75,7 @@ TEST(Ball, AtSpeedsFarBeyondTheRacketsThicknessItIsNeverPassedThrough) {
   BallParameters parameters = still();
   parameters.racket_most_speed_m_per_s = 200.0;
   parameters.radius_mm = 0.1;
-  for (double begin = 50.0; begin < 400.0; begin += 7.3) {
+  for (const double begin : stepsBefore(50.0, 400.0, 7.3)) {
     BallGameState state;
     state.ball = {{10.0, -20.0, begin}, {0.0, 0.0, -60'000.0}, {}};
     int impacts = 0;

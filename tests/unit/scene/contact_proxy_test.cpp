@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "tests/sweep.h"
 #include "tests/unit/scene/touched_body.h"
 
 namespace fyd::scene {
@@ -25,7 +26,8 @@ TEST_P(ProxyRadius, AWallOfAHundredthOfAMillimetreHoldsAtOneMetreASecondAndMore)
   for (const double step_mm : {0.1, 1.0, 7.0, 1e3}) {
     for (const double slant : {0.0, 0.3, 2.0}) {
       TouchedBody body(box(20.0, 20.0, 0.005), ContactModel::proxy, r);
-      for (double z = 5.0; z > -8.0; z -= step_mm) static_cast<void>(body.at({slant * z, 0.3 * slant * z, z}));
+      for (const double z : stepsBefore(5.0, -8.0, -step_mm))
+        static_cast<void>(body.at({slant * z, 0.3 * slant * z, z}));
       const Contact c = body.at({-8.0 * slant, -2.4 * slant, -8.0});
       ASSERT_TRUE(c.touching) << step_mm << ' ' << slant;
       EXPECT_NEAR(c.proxy_mm.z, 0.005 + r, 1e-5);
@@ -84,7 +86,7 @@ TEST_P(ProxyRadius, TwoWallsHoldAlongTheirEdgeAndThreeInTheirCorner) {
 TEST_P(ProxyRadius, FromWithinABodyItActsOnlyAfterItCameThrough) {
   const double r = GetParam();
   TouchedBody body(box(10.0, 10.0, 10.0), ContactModel::proxy, r);
-  for (double z = 0.0; z < 14.0; z += 0.3) EXPECT_FALSE(body.at({1.0, 2.0, z}).touching) << z;
+  for (const double z : stepsBefore(0.0, 14.0, 0.3)) EXPECT_FALSE(body.at({1.0, 2.0, z}).touching) << z;
   const Contact c = walk(body, {1, 2, 14}, {1, 2, 8}, 20);
   ASSERT_TRUE(c.touching);
   EXPECT_NEAR(c.proxy_mm.z, 10.0 + r, 1e-5);
@@ -93,7 +95,7 @@ TEST_P(ProxyRadius, FromWithinABodyItActsOnlyAfterItCameThrough) {
 TEST_P(ProxyRadius, AnOpenSheetHoldsOnlyFromOutside) {
   const double r = GetParam();
   TouchedBody body(shapes::plane(10.0, 4), ContactModel::proxy, r);
-  for (double z = -3.0; z < 3.0; z += 0.1) EXPECT_FALSE(body.at({1.0, 2.0, z}).touching) << z;
+  for (const double z : stepsBefore(-3.0, 3.0, 0.1)) EXPECT_FALSE(body.at({1.0, 2.0, z}).touching) << z;
   EXPECT_TRUE(walk(body, {1, 2, 3}, {1, 2, -1}, 10).touching);
 }
 

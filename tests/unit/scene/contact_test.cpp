@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/sweep.h"
 #include "tests/unit/scene/touched_body.h"
 
 namespace fyd::scene {
@@ -150,7 +151,7 @@ TEST_P(EachModel, CoincidentAndNeedleTrianglesGiveNoNonsense) {
   }
   TouchedBody body(soup, GetParam(), GetParam() == ContactModel::nodes ? 3.0 : 0.0);
   static_cast<void>(body.at({0, 0.1, 2}));
-  for (double x = 0.0; x < 9.9; x += 0.013) {
+  for (const double x : stepsBefore(0.0, 9.9, 0.013)) {
     const Contact c = body.at({x, 0.1, -0.3});
     ASSERT_TRUE(c.touching) << x;
     ASSERT_TRUE(c.force_N.finite());
@@ -165,7 +166,7 @@ TEST(ContactRim, TheForceEndsWithoutAStepBesideTheRim) {
     TouchedBody body(shapes::plane(10.0, 8), model, 0.0, {1.0, 0.0, 0.0, 0.0});
     Vec3 last = body.at({9.0, 0.4, -1.0}).force_N;
     EXPECT_NEAR(length(last - Vec3{0, 0, 1}), 0.0, 1e-6);
-    for (double x = 9.0; x < 12.0; x += 0.001) {
+    for (const double x : stepsBefore(9.0, 12.0, 0.001)) {
       const Contact c = body.at({x, 0.4, -1.0});
       ASSERT_LT(length(c.force_N - last), 0.006) << x;
       EXPECT_GE(c.force_N.z, 0.0);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/not_a_number.h"
+#include "tests/sweep.h"
 
 namespace fyd::scene {
 namespace {
@@ -69,7 +70,7 @@ TEST(Palpation, UpToTheLimitTheHandIsFreeAndBeyondItTheForceRisesSteeply) {
     EXPECT_LT(moved(parameters, 1e5, dt_s).tangential_N.x, -4.9);
   }
   double before = 0.0;
-  for (double speed = 40.0; speed < 300.0; speed += 0.5) {
+  for (const double speed : stepsBefore(40.0, 300.0, 0.5)) {
     const double force = -moved(parameters, speed, 0.005).tangential_N.x;
     ASSERT_GE(force, before - 1e-12);
     ASSERT_LE(force - before, 0.05 * 0.5 + 1e-9);  // continuous: no faster than its steepness

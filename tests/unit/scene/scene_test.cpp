@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/scene/mesh/vector.h"
+#include "tests/sweep.h"
 #include "tests/unit/scene/shapes.h"
 
 namespace fyd::scene {
@@ -67,7 +68,7 @@ TEST(Scene, BodiesThatAreFarSleepAndWakeInTime) {
   // Along all of them, 3.7 mm a step: each is felt exactly where its top is crossed.
   int felt = 0;
   double time_s = 0.0;
-  for (double x = 5.0; x < 50'000.0; x += 3.7) {
+  for (const double x : stepsBefore(5.0, 50'000.0, 3.7)) {
     time_s += 1e-3;
     const SceneTouch touch = scene.step({x, 5.0, 9.9}, time_s);
     const double within = std::fmod(x, 1000.0);

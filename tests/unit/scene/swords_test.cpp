@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/not_a_number.h"
+#include "tests/sweep.h"
 
 namespace fyd::scene {
 namespace {
@@ -62,7 +63,7 @@ TEST(Swords, ARadiusIsFeltBeforeTheLinesMeet) {
 
 TEST(Swords, AtTenMetresPerSecondAndAnyTimeStepNothingPopsThrough) {
   for (const double dt_s : {0.0002, 0.001, 0.005}) {
-    for (double begin = 0.01; begin < 60.0; begin += 3.7) {
+    for (const double begin : stepsBefore(0.01, 60.0, 3.7)) {
       SwordState state;
       double z = begin;
       SwordTouch touch;
@@ -102,7 +103,7 @@ TEST(Swords, SlidingOverTheTipLetsGoContinuouslyAndNeverAgain) {
   static_cast<void>(stepSwords(parameters, state, at(100.0, 1.0), alongY(), 0.001));
   double before = stepSwords(parameters, state, at(100.0, -4.0), alongY(), 0.001).force_N.z;
   EXPECT_DOUBLE_EQ(before, 2.0);
-  for (double tip = 100.0; tip > -5.0; tip -= 0.25) {
+  for (const double tip : stepsBefore(100.0, -5.0, -0.25)) {
     const double force = stepSwords(parameters, state, at(tip, -4.0), alongY(), 0.001).force_N.z;
     ASSERT_LE(force, before + 1e-12);
     ASSERT_LE(before - force, 2.0 * 0.25 / 20.0 + 1e-12) << tip;
@@ -134,7 +135,7 @@ TEST(Swords, ParallelBladesStopEachOther) {
       parameters.radius_mm = radius;
       SwordState state;
       const Blade fixed{{-450.0 + shift, 0.0, 0.0}, {450.0 + shift, 0.0, 0.0}};
-      for (double y = 20.0; y > -5.0; y -= 0.5) {  // at 0 they lie on each other
+      for (const double y : stepsBefore(20.0, -5.0, -0.5)) {  // at 0 they lie on each other
         const SwordTouch touch = stepSwords(parameters, state, alongX(0.0, y), fixed, 0.001);
         ASSERT_NEAR(touch.force_N.y, 0.5 * std::max(0.0, 2.0 * radius - y), 1e-12) << radius << " " << y;
         ASSERT_EQ(touch.force_N.x, 0.0);
@@ -150,7 +151,7 @@ TEST(Swords, ParallelBladesStopEachOther) {
 TEST(Swords, AParallelBladeThatPassesBeyondTheEndOfTheOtherIsFree) {
   SwordState state;
   const Blade fixed{{1000.0, 0.0, 0.0}, {1900.0, 0.0, 0.0}};
-  for (double y = 5.0; y > -5.0; y -= 0.7) {
+  for (const double y : stepsBefore(5.0, -5.0, -0.7)) {
     ASSERT_FALSE(stepSwords(undamped(), state, alongX(0.0, y), fixed, 0.001).touching);
   }
 }
@@ -207,7 +208,7 @@ TEST(Swords, BladesWithoutLengthAreTouchedByTheirRadiusAlone) {
     for (const bool both : {false, true}) {
       SwordState state;
       const Blade other = both ? Blade{} : alongY();
-      for (double z = 20.0; z > 1.0; z -= 0.5) {
+      for (const double z : stepsBefore(20.0, 1.0, -0.5)) {
         const Blade point{{0.0, 0.0, z}, {0.0, 0.0, z}};
         const SwordTouch touch = stepSwords(parameters, state, point, other, 0.001);
         ASSERT_NEAR(touch.force_N.z, 0.5 * std::max(0.0, 2.0 * radius - z), 1e-12);

@@ -7,6 +7,7 @@
 #include "core/sensing/ir_distance.h"
 #include "core/sensing/load_cell.h"
 #include "core/sensing/membrane.h"
+#include "tests/sweep.h"
 
 namespace fyd::sensing {
 namespace {
@@ -217,7 +218,7 @@ TEST(Membrane, IsOneUnderTheDiscZeroOnTheFrameAndFallsBetween) {
   EXPECT_EQ(membrane.shape(0, -35, 0, 0), 0.0);
   EXPECT_EQ(membrane.shape(1000, 0, 0, 0), 0.0);
   double before = 1.0;
-  for (double x = 7.5; x < 50; x += 0.5) {
+  for (const double x : stepsBefore(7.5, 50, 0.5)) {
     const double u = membrane.shape(x, 0, 0, 0);
     EXPECT_LT(u, before);
     before = u;

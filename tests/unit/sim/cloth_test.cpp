@@ -14,6 +14,7 @@
 #include "core/sim/cloth/cloth_tables.h"
 #include "core/sim/touchpad/picture.h"
 #include "core/sim/touchpad/touchpad_world.h"
+#include "tests/sweep.h"
 
 namespace fyd::sim {
 namespace {
@@ -137,7 +138,7 @@ TEST(Cloth, ForceNeverFallsOnTheWayDownAndIsSmoothFromTheSurfaceOn) {
   const ClothTable table = tableOf("frame_sphere8");
   for (const auto& [x, y] : {std::pair{0.0, 0.0}, {-21.0, 9.0}, {36.0, -17.0}, {45.0, 30.0}}) {
     double before = 0.0;
-    for (double depth = 0.02; depth <= table.deepest_mm(); depth += 0.02) {
+    for (const double depth : stepsTo(0.02, table.deepest_mm(), 0.02)) {
       const double force = table.press(x, y, depth, 0.6).force_N;
       ASSERT_GT(force, before) << x << " " << y << " " << depth;
       ASSERT_LT(force - before, 0.2) << x << " " << y << " " << depth;

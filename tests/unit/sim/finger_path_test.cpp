@@ -1,5 +1,6 @@
 // Paths of the simulated finger: recorded hands, demonstration, constant press.
 #include "core/sim/finger_path.h"
+#include "tests/sweep.h"
 
 #include <filesystem>
 #include <fstream>
@@ -109,10 +110,10 @@ TEST(RealHand, PressesAndLiftsWithinTheUsableArea) {
   ASSERT_TRUE(path) << path.error().text();
   EXPECT_EQ(path->rows(), 6000U);
   int pressing = 0;
-  int samples = 0;
   double deepest = 0.0;
   double widest = 0.0;
-  for (double t = 0.0; t < 59.9; t += 0.01, ++samples) {
+  const std::vector<double> times_s = stepsBefore(0.0, 59.9, 0.01);
+  for (const double t : times_s) {
     const FingerState finger = path->at(t);
     ASSERT_LE(std::abs(finger.x_mm), kUsableHalfWidth_mm + 1e-9);
     ASSERT_LE(std::abs(finger.y_mm), kUsableHalfDepth_mm + 1e-9);
@@ -122,7 +123,7 @@ TEST(RealHand, PressesAndLiftsWithinTheUsableArea) {
     deepest = std::max(deepest, finger.indentation_mm);
     widest = std::max(widest, std::abs(finger.x_mm));
   }
-  EXPECT_NEAR(static_cast<double>(pressing) / samples, 0.7, 0.02);
+  EXPECT_NEAR(static_cast<double>(pressing) / static_cast<double>(times_s.size()), 0.7, 0.02);
   EXPECT_NEAR(deepest, 8.0, 1e-6);
   EXPECT_NEAR(widest, 45.0, 1e-3);
 }

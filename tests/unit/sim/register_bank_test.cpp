@@ -6,6 +6,7 @@
 
 #include "core/sim/server/motor_board.h"
 #include "core/sim/server/touchpad_electronics.h"
+#include "tests/sweep.h"
 
 namespace fyd::sim {
 namespace {
@@ -174,7 +175,7 @@ TEST(TouchpadElectronics, ABrownOutRestartsItWithTheMotorsOff) {
   TouchpadElectronics electronics(
       std::make_shared<TouchpadWorld>(SimParameters{}, FingerPath::demonstration(), at(0.0)), faults, {}, at(0.0));
   const auto run = [&](double from, double to) {
-    for (double t = from; t < to; t += 0.05) electronics.advanceTo(at(t));
+    for (const double t : stepsBefore(from, to, 0.05)) electronics.advanceTo(at(t));
   };
   run(0.0, 0.9);
   for (const std::uint16_t word : kSwitchingOn) {

@@ -7,6 +7,7 @@
 #include "core/sensing/membrane.h"
 #include "core/sim/touchpad/ir_sensor.h"
 #include "core/sim/touchpad/simulated_touchpad.h"
+#include "tests/sweep.h"
 
 namespace fyd::sim {
 namespace {
@@ -42,7 +43,7 @@ TEST(IdealCloth, PassesThroughTheFourMeasuredPointsAndRisesBetweenAndBeyond) {
   EXPECT_DOUBLE_EQ(nominalStiffness(90), 0.715);
   EXPECT_NEAR(nominalStiffness(0), 0.501 - 20 * 0.049 / 25, 1e-12);
   EXPECT_NEAR(nominalStiffness(120), 0.757, 1e-12);
-  for (double angle = 0.0; angle < 120.0; angle += 0.01) {
+  for (const double angle : stepsBefore(0.0, 120.0, 0.01)) {
     ASSERT_GT(nominalStiffness(angle + 0.01), nominalStiffness(angle)) << angle;
     ASSERT_NEAR(nominalAngle(nominalStiffness(angle)), angle, 1e-9);
   }
@@ -60,7 +61,7 @@ TEST(IdealCloth, BeyondItsEndsAndForNaNGivesItsEndsAndItsRest) {
 TEST(IdealCloth, HysteresisOpensALoopAroundTheMeanLine) {
   IdealCloth cloth(1.2, 0.1);
   double down = 0.0;
-  for (double depth = 0.0; depth <= 4.0; depth += 0.1) down = cloth.press(20.0, 4.0 < depth ? 4.0 : depth);
+  for (const double depth : stepsTo(0.0, 4.0, 0.1)) down = cloth.press(20.0, 4.0 < depth ? 4.0 : depth);
   down = cloth.press(20.0, 4.0);
   EXPECT_NEAR(down, 1.2 * 0.501 * 4.0 * 1.1, 1e-9);
   EXPECT_NEAR(cloth.press(20.0, 3.7), 1.2 * 0.501 * 3.7, 1e-9) << "0.3 mm back: on the mean line";
