@@ -10,6 +10,7 @@ namespace fyd {
 [[nodiscard]] inline std::vector<double> stepsBefore(double from, double end, double by) {
   const auto count = std::lround(std::ceil((end - from) / by - 1e-9));
   std::vector<double> out;
+  out.reserve(static_cast<std::size_t>(count));
   for (long i = 0; i < count; ++i) out.push_back(from + by * static_cast<double>(i));
   return out;
 }
