@@ -106,7 +106,7 @@ std::vector<Row> zoomRows(const Settings& settings) {
   std::vector<Row> rows;
   Result all;
   std::vector<std::vector<View>> shown;
-  shown.reserve(kSpans_s.size());
+  shown.reserve(std::size(kSpans_s));
   for (const double span_s : kSpans_s) {
     shown.push_back(viewsOf(span_s, views, spikes, random));
     const Result found = ours(buffer, shown.back(), strip);
