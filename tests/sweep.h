@@ -1,6 +1,7 @@
 // Numbers at equal distances, counted: added up instead, rounding would decide whether the last is one of them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -8,8 +9,9 @@ namespace fyd {
 
 /// From `from` on in steps of `by`, upward or downward, before `end`.
 [[nodiscard]] inline std::vector<double> stepsBefore(double from, double end, double by) {
-  const auto count = std::lround(std::ceil((end - from) / by - 1e-9));
+  const long count = std::max(0L, std::lround(std::ceil((end - from) / by - 1e-9)));
   std::vector<double> out;
+  out.reserve(static_cast<std::size_t>(count));
   for (long i = 0; i < count; ++i) out.push_back(from + by * static_cast<double>(i));
   return out;
 }

@@ -86,6 +86,7 @@ Table bench_coupling() {
   for (std::size_t c = 0; c < kChoices.size(); ++c) {
     const auto all = [&](auto part) {
       std::vector<double> out;
+      out.reserve(figures[c].size());
       for (const CouplingFigures& each : figures[c]) out.push_back(each.*part);
       return range(std::move(out));
     };

@@ -96,7 +96,7 @@ void linkRows(std::vector<Row>& rows, const std::string& name, const Message& me
     (void)sealer.seal(packet, encodeLink(message, code, 1, Sealer::messagePart(packet)));
     keep(packet);
   }));
-  std::vector<Packet> sent(static_cast<std::size_t>(timings() + 1) * kCallsPerSample);
+  std::vector<Packet> sent((static_cast<std::size_t>(timings()) + 1) * kCallsPerSample);
   Sealer fresh(key, 1);
   for (Packet& out : sent) (void)fresh.seal(out, encodeLink(message, code, 1, Sealer::messagePart(out)));
   Opener opener(key, 1);

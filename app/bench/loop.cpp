@@ -32,6 +32,7 @@ Periods judge(const std::vector<Instant>& starts, double missed) {
 
 Periods naive() {
   std::vector<Instant> starts;
+  starts.reserve(static_cast<std::size_t>(cycles()));
   for (int i = 0; i < cycles(); ++i) {
     starts.push_back(Clock::now());
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -49,6 +49,7 @@ struct Options {
 
 void addTo(CLI::App& app, Options& options) {
   std::vector<std::string> names;
+  names.reserve(subjects().size());
   for (const Subject& subject : subjects()) names.push_back(subject.name);
   auto* name = app.add_option("name", options.name, "Subject; all of them when left out")->check(CLI::IsMember(names));
   auto* out = app.add_option("--out", options.out,

@@ -45,6 +45,7 @@ std::vector<Trace> tracesOf(const MotionSet& set, const std::filesystem::path& d
   }
   std::ranges::sort(files);
   std::vector<Trace> out;
+  out.reserve(files.size());
   for (const auto& file : files) out.push_back(cli::readTrace(file, {}).trace);
   return wholeOrFirst(out, 1);
 }

@@ -145,6 +145,7 @@ void measureOn(Table& table, const Mesh& mesh, const std::vector<Way>& ways) {
   for (const Way& way : ways) {
     const std::vector<Vec3>& path = way.probe_mm;
     std::vector<double> truth;
+    truth.reserve(path.size());
     for (const Vec3& at : path) truth.push_back(std::sqrt(tree.nearest(at).squared_mm2));
     const Quantiles clock = measure(path, way.disturbed, [](const Vec3&) {});
     const auto without = [&clock](Quantiles q) {

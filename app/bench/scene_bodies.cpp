@@ -28,7 +28,8 @@ Counted withBodies(std::size_t bodies, const std::shared_ptr<const SearchedMesh>
   for (std::size_t i = 0; i < bodies; ++i) {
     BodyDescription& body = description.bodies.emplace_back();
     if (i == 0) continue;
-    for (const double at : {1000.0 + 200.0 * static_cast<double>(i % 10), 200.0 * static_cast<double>(i / 10), 0.0}) {
+    const std::size_t row = i / 10, column = i % 10;
+    for (const double at : {1000.0 + 200.0 * static_cast<double>(column), 200.0 * static_cast<double>(row), 0.0}) {
       static_cast<void>(body.position_mm.push(at));
     }
   }

@@ -89,6 +89,7 @@ double rattle(const std::vector<Vec3>& force) {
   double sum = 0.0;
   for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
     std::vector<double> signal;
+    signal.reserve(force.size());
     for (const Vec3& f : force) signal.push_back(f.*axis);
     const signal::Spectrum spectrum = signal::welch(signal, 1000.0, 1000);
     for (std::size_t k = 0; k < spectrum.density.size(); ++k) {

@@ -108,6 +108,7 @@ void runDevices(DevicesOptions& options) {
   const auto ports = device::findSerialPorts();
   const auto cameras = device::findCaptureDevices();
   std::vector<Answer> answers;
+  answers.reserve(options.touchpads.size());
   for (const std::string& text : options.touchpads) answers.push_back(askTouchpad(text, parameters));
   for (const std::string& text : options.motors) answers.push_back(askMotors(text, parameters));
   for (const std::string& source : options.cameras) answers.push_back(askCamera(source, parameters));

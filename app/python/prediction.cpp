@@ -70,6 +70,7 @@ py::dict trial(const Numbers& time_s, const Numbers& position_mm, const std::str
     figures = teleop::trialFigures(trace, plan, predicted);
   }
   std::vector<std::uint64_t> rows;
+  rows.reserve(plan.ticks.size());
   for (const auto& tick : plan.ticks) rows.push_back(tick.row);
   py::array_t<double> positions({static_cast<py::ssize_t>(predicted.size()), static_cast<py::ssize_t>(trace.axes)});
   for (std::size_t i = 0; i < predicted.size(); ++i)

@@ -64,6 +64,7 @@ void addSensing(py::module_& module) {
           "detect_all",
           [](Detector& detector, const py::sequence& pictures) {
             std::vector<Seen> all;
+            all.reserve(pictures.size());
             for (const auto& picture : pictures) all.push_back(seen(picture.cast<py::array>()));
             std::vector<FingerDetection> found(all.size());
             detector.run([&](sensing::FingerDetector& each) {

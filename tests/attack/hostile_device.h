@@ -183,7 +183,7 @@ class Device {
       return true;
     }
     const auto written = [&](int address) {
-      const auto at = static_cast<std::size_t>(17 + 2 * (address - 128));
+      const auto at = 17 + 2 * static_cast<std::size_t>(address - 128);
       return static_cast<std::uint16_t>((request[at] << 8) | request[at + 1]);
     };
     live(written(128), written(130));

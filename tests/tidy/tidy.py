@@ -23,6 +23,7 @@ import os
 import pathlib
 import re
 import resource
+import shutil
 import subprocess
 import sys
 import time
@@ -140,7 +141,9 @@ def own_code(build):
     source, made = SOURCE / "tests/tidy/own_code.cpp", build / "own_code.so"
     if not made.exists() or made.stat().st_mtime < source.stat().st_mtime:
         build.mkdir(parents=True, exist_ok=True)
-        must("clang++", "-std=c++17", "-O0", "-fno-rtti", "-fPIC", "-shared", "-isystem", root / "include", source, "-o", made)
+        cache = ["ccache"] if shutil.which("ccache") else []
+        must(*cache, "clang++", "-std=c++17", "-O0", "-fno-rtti", "-fPIC", "-isystem", root / "include", "-c", source, "-o", f"{made}.o")
+        must("clang++", "-shared", f"{made}.o", "-o", made)
     return [f"--load={made}", "--checks=fyd-own-code"]
 
 

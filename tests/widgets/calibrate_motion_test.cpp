@@ -100,7 +100,7 @@ class CalibrateMotionTest : public QObject {
       const int stops = c.session->test_stops;
       c.letGo();
       QVERIFY(c.session->test_stops > stops);
-      QCOMPARE(c.page->points().size(), static_cast<std::size_t>(3 * (stretch + 1)));
+      QCOMPARE(c.page->points().size(), 3 * (static_cast<std::size_t>(stretch) + 1));
       QVERIFY(c.page->acceptButton()->isEnabled() == (stretch == 2));
     }
     QCOMPARE(asked, (std::vector<double>{20.0, 90.0, 55.0}));

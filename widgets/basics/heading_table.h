@@ -28,6 +28,7 @@ class HeadingTable : public QTableWidget {
   /// Called automatically after a change of size; to be called after a change of the headings.
   void shareWidth() {
     std::vector<int> widths_px;
+    widths_px.reserve(static_cast<std::size_t>(columnCount()));
     for (int i = 0; i < columnCount(); ++i) widths_px.push_back(horizontalHeader()->sectionSizeHint(i));
     const int left_px = viewport()->width() - std::accumulate(widths_px.begin(), widths_px.end(), 0);
     for (int i = 0; i < columnCount(); ++i) {

@@ -16,7 +16,7 @@ class NavigationBar : public QFrame {
   QToolButton* add(QAction* place);
 
  private:
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = nullptr;
   int width_ = 0;  ///< px, of every button
 };
 

@@ -41,10 +41,10 @@ class ProgressBar : public QWidget {
  private:
   void describe(const QString& words);
 
-  QLabel* words_;
-  QProgressBar* progress_;
-  QLabel* share_;
-  QPushButton* cancel_;
+  QLabel* words_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel* share_ = nullptr;
+  QPushButton* cancel_ = nullptr;
   QTimer patience_;
   QElapsedTimer since_;
   bool running_ = false;

@@ -34,7 +34,7 @@ class NumberTicker : public QCPAxisTicker {
                 QVector<double>* sub_ticks, QVector<QString>* labels) override;
 
  private:
-  const QCPAxis* axis_;
+  const QCPAxis* axis_ = nullptr;
   double at_zero_ = 0.0;
   QString unit_;
   int before_px_ = 0;
@@ -49,7 +49,7 @@ class NameTicker : public QCPAxisTickerText {
                 QVector<double>* sub_ticks, QVector<QString>* labels) override;
 
  private:
-  const QCPAxis* axis_;
+  const QCPAxis* axis_ = nullptr;
 };
 
 /// The level axis of a plot, with what it counts written at its left end, and a word at its right end.
@@ -70,10 +70,10 @@ class LevelScale {
   /// Shows the texts, and keeps numbers away from them.
   void arrange();
 
-  QCustomPlot* plot_;
+  QCustomPlot* plot_ = nullptr;
   QSharedPointer<NumberTicker> numbers_;
-  QCPItemText* title_;
-  QCPItemText* end_;
+  QCPItemText* title_ = nullptr;
+  QCPItemText* end_ = nullptr;
   bool visible_ = true;
 };
 

@@ -12,6 +12,7 @@ constexpr double kFar_px = 1e6;  // beyond every screen; bounds values before th
 
 /// Rounds to the nearest; faster than a call of std::lround, of which a curve needs thousands. @param value within
 /// kFar_px
+// NOLINTNEXTLINE(bugprone-incorrect-roundings): of a half it matters to no pixel which way it goes
 int nearest(double value) { return static_cast<int>(value + kFar_px + 0.5) - static_cast<int>(kFar_px); }
 
 constexpr std::size_t kBlock = 8;  // columns

@@ -46,11 +46,11 @@ class CurveSetupPanel : public QWidget {
   void takeSpan();
   void refuse(QLineEdit* field, const QString& why);
 
-  CurveStack* stack_;
+  CurveStack* stack_ = nullptr;
   std::vector<Row> rows_;
-  QLineEdit* span_;
-  QCheckBox* link_;
-  QLabel* problem_;
+  QLineEdit* span_ = nullptr;
+  QCheckBox* link_ = nullptr;
+  QLabel* problem_ = nullptr;
 };
 
 }  // namespace fyd::widgets

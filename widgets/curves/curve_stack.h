@@ -114,7 +114,7 @@ class CurveStack : public QWidget {
   double cursor_s_ = std::numeric_limits<double>::quiet_NaN();
   double marks_s_[2] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   bool marks_changed_ = true;  ///< values at the marks are read once, not with every redraw
-  QLabel* mark_label_;
+  QLabel* mark_label_ = nullptr;
 };
 
 }  // namespace fyd::widgets

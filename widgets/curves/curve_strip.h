@@ -120,7 +120,7 @@ class CurveStrip : public QWidget {
   bool release(const QMouseEvent& event);
   void wheel(const QWheelEvent& event);
 
-  CurvePlot* plot_;
+  CurvePlot* plot_ = nullptr;
   std::vector<Trace> traces_;
   ValueRange range_;
   bool drew_live_ = false;  ///< the last picture followed
@@ -133,13 +133,13 @@ class CurveStrip : public QWidget {
   std::vector<CurveColumn> columns_;
   std::vector<TimeMark> marks_;
   std::vector<QCPItemStraightLine*> mark_lines_;  ///< as many as were ever needed; spare ones are hidden
-  QCPItemText* mark_words_;
+  QCPItemText* mark_words_ = nullptr;
   std::vector<QCPItemStraightLine*> limit_lines_;
   std::unique_ptr<LevelScale> time_scale_;
-  PlotLabels* labels_;  ///< the plot owns it
+  PlotLabels* labels_ = nullptr;  ///< the plot owns it
   double cursor_s_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> cursor_values_;
-  QRubberBand* band_;
+  QRubberBand* band_ = nullptr;
   Qt::MouseButton button_ = Qt::NoButton;
   QPointF last_;
   QPointF pressed_;

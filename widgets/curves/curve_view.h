@@ -67,12 +67,12 @@ class CurveView : public QWidget {
   void sayFollowing();
 
   CurveBuffer buffer_;
-  CurveStack* stack_;
+  CurveStack* stack_ = nullptr;
   std::vector<RecentValue> recent_;  ///< one per channel
   pipeline::TelemetrySample newest_;
   Instant origin_{};
   bool any_ = false;
-  bool dirty_ = true;  ///< something else than samples changed the picture
+  bool dirty_ = true;                                          ///< something else than samples changed the picture
   double drawn_s_ = std::numeric_limits<double>::quiet_NaN();  ///< newest sample in the picture
   bool was_following_ = true;
   QElapsedTimer since_sample_;

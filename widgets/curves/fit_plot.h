@@ -50,18 +50,18 @@ class FitPlot : public QWidget {
   QCPGraph* addGraph(QCPAxisRect* rect);
 
   FitView view_;
-  QCustomPlot* plot_;
-  QLabel* empty_;
-  QCPAxisRect* above_;  ///< points and curves
-  QCPAxisRect* below_;  ///< residuals
-  QCPGraph* former_;
-  QCPGraph* curve_;
-  QCPGraph* points_;
-  QCPGraph* outliers_;
-  QCPGraph* residuals_;
-  QCPGraph* outlier_residuals_;
-  QCPGraph* levels_;  ///< of the bars
-  QCPErrorBars* intervals_;
+  QCustomPlot* plot_ = nullptr;
+  QLabel* empty_ = nullptr;
+  QCPAxisRect* above_ = nullptr;  ///< points and curves
+  QCPAxisRect* below_ = nullptr;  ///< residuals
+  QCPGraph* former_ = nullptr;
+  QCPGraph* curve_ = nullptr;
+  QCPGraph* points_ = nullptr;
+  QCPGraph* outliers_ = nullptr;
+  QCPGraph* residuals_ = nullptr;
+  QCPGraph* outlier_residuals_ = nullptr;
+  QCPGraph* levels_ = nullptr;  ///< of the bars
+  QCPErrorBars* intervals_ = nullptr;
 };
 
 }  // namespace fyd::widgets

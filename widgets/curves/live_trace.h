@@ -35,10 +35,10 @@ class LiveTrace : public QWidget {
   void dress();
   void draw();
 
-  QCustomPlot* plot_;
+  QCustomPlot* plot_ = nullptr;
   std::vector<QCPGraph*> traces_;
-  QCPGraph* marks_;
-  QCPGraph* levels_;
+  QCPGraph* marks_ = nullptr;
+  QCPGraph* levels_ = nullptr;
   std::vector<double> level_readings_;
   double now_s_ = 0.0;
   double newest_ = 0.0;

@@ -60,13 +60,13 @@ class SpectrumView : public QWidget {
   [[nodiscard]] bool decibels() const;
   [[nodiscard]] double levelOf(double amplitude) const;
 
-  QComboBox* signal_;
-  QComboBox* scale_;
-  QLabel* words_;
-  CurvePlot* spectrum_;
-  CurvePlot* spectrogram_;
-  QCPColorMap* map_;
-  ColourScale* colours_;
+  QComboBox* signal_ = nullptr;
+  QComboBox* scale_ = nullptr;
+  QLabel* words_ = nullptr;
+  CurvePlot* spectrum_ = nullptr;
+  CurvePlot* spectrogram_ = nullptr;
+  QCPColorMap* map_ = nullptr;
+  ColourScale* colours_ = nullptr;
   std::unique_ptr<LevelScale> frequency_scale_;
   std::unique_ptr<LevelScale> time_scale_;
   QCPItemText* level_title_ = nullptr;

@@ -26,11 +26,11 @@ class CameraPanel : public QFrame {
 
  private:
   void sayHint();
-  CameraImage* image_;
-  QToolButton* mask_;
+  CameraImage* image_ = nullptr;
+  QToolButton* mask_ = nullptr;
   QLabel* values_[3] = {};
-  QLabel* reason_;
-  QLabel* hint_;
+  QLabel* reason_ = nullptr;
+  QLabel* hint_ = nullptr;
 };
 
 }  // namespace fyd::widgets

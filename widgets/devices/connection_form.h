@@ -59,13 +59,13 @@ class ConnectionForm : public QFrame {
   QString hindrance_;
   QString work_;
   bool can_be_cancelled_ = false;
-  PartChoice* touchpad_;
-  PartChoice* motors_;
-  PartChoice* camera_;
-  QFrame* foot_;
-  QPushButton* robot_;
-  QLabel* hint_;
-  QPushButton* connect_;
+  PartChoice* touchpad_ = nullptr;
+  PartChoice* motors_ = nullptr;
+  PartChoice* camera_ = nullptr;
+  QFrame* foot_ = nullptr;
+  QPushButton* robot_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QPushButton* connect_ = nullptr;
   QPointer<QWidget> fallen_to_;  ///< what got the focus when `connect_` was disabled
 };
 

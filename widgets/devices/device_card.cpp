@@ -167,6 +167,7 @@ void DeviceCard::setReport(const device::DeviceReport& report) {
   }
   fill(errors_, errors);
   std::vector<Entry> values;
+  values.reserve(report.values.size());
   for (const device::ReportValue& each : report.values) {
     values.push_back(
         {deviceWord(each.name), each.text.empty() ? deviceValue(each.number, each.unit) : deviceWord(each.text)});

@@ -40,11 +40,11 @@ class FoundList : public QFrame {
 
  private:
   void addRow(const FoundRow& row);
-  QLabel* summary_;
-  QProgressBar* progress_;
-  QPushButton* look_;
+  QLabel* summary_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton* look_ = nullptr;
   QWidget* body_ = nullptr;
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = nullptr;
   int count_ = 0;
 };
 

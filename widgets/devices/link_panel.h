@@ -71,13 +71,13 @@ class LinkPanel : public QFrame {
 
   LinkView view_;
   QString shape_name_;
-  QLabel* shape_;
-  QLabel* security_;
-  QLabel* explanation_;
-  QGridLayout* grid_;
+  QLabel* shape_ = nullptr;
+  QLabel* security_ = nullptr;
+  QLabel* explanation_ = nullptr;
+  QGridLayout* grid_ = nullptr;
   std::vector<Row> rows_;
-  QLabel* refused_title_;
-  QGridLayout* refusals_;
+  QLabel* refused_title_ = nullptr;
+  QGridLayout* refusals_ = nullptr;
   std::vector<Row> refusal_rows_;
 };
 

@@ -56,10 +56,10 @@ class PartChoice : public QWidget {
 
   std::vector<SourceKind> kinds_;
   QStringList found_;
-  QComboBox* kind_;
-  QComboBox* entry_;
-  QToolButton* browse_;
-  QLabel* problem_;
+  QComboBox* kind_ = nullptr;
+  QComboBox* entry_ = nullptr;
+  QToolButton* browse_ = nullptr;
+  QLabel* problem_ = nullptr;
 };
 
 }  // namespace fyd::widgets

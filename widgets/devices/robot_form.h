@@ -47,19 +47,19 @@ class RobotForm : public QFrame {
   QString hindrance_;
   QString work_;
   bool can_be_cancelled_ = false;
-  QComboBox* kind_;
-  QLabel* predictor_label_;
-  QComboBox* predictor_;
-  QLabel* address_label_;
-  QLineEdit* address_;
-  QLabel* key_label_;
-  QLineEdit* key_;
-  QToolButton* browse_;
-  QLabel* scene_label_;
-  QLineEdit* scene_;
-  QToolButton* browse_scene_;
-  QLabel* hint_;
-  QPushButton* reconnect_;
+  QComboBox* kind_ = nullptr;
+  QLabel* predictor_label_ = nullptr;
+  QComboBox* predictor_ = nullptr;
+  QLabel* address_label_ = nullptr;
+  QLineEdit* address_ = nullptr;
+  QLabel* key_label_ = nullptr;
+  QLineEdit* key_ = nullptr;
+  QToolButton* browse_ = nullptr;
+  QLabel* scene_label_ = nullptr;
+  QLineEdit* scene_ = nullptr;
+  QToolButton* browse_scene_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QPushButton* reconnect_ = nullptr;
 };
 
 }  // namespace fyd::widgets

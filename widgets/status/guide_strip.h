@@ -51,12 +51,12 @@ class GuideStrip : public QFrame {
   std::vector<Step> steps_;
   std::size_t current_ = 0;
   QStringList action_ids_;
-  QHBoxLayout* step_row_;
-  QHBoxLayout* action_row_;
+  QHBoxLayout* step_row_ = nullptr;
+  QHBoxLayout* action_row_ = nullptr;
   QWidget* step_body_ = nullptr;
   QWidget* action_body_ = nullptr;
-  QLabel* advice_;
-  QToolButton* close_;
+  QLabel* advice_ = nullptr;
+  QToolButton* close_ = nullptr;
 };
 
 }  // namespace fyd::widgets

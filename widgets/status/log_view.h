@@ -24,10 +24,10 @@ class LogView : public QWidget {
   [[nodiscard]] int lines() const { return model_->rowCount(); }
 
  private:
-  QStandardItemModel* model_;
-  QSortFilterProxyModel* filter_;
-  QLineEdit* search_;
-  QTableView* table_;
+  QStandardItemModel* model_ = nullptr;
+  QSortFilterProxyModel* filter_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QTableView* table_ = nullptr;
 };
 
 }  // namespace fyd::widgets

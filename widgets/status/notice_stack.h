@@ -67,11 +67,11 @@ class NoticeStack : public QFrame {
 
   std::vector<Unread> unread_;  // from the oldest
   std::size_t shown_ = 0;
-  QLabel* symbol_;
-  QLabel* label_;
-  QHBoxLayout* actions_;
-  QToolButton* more_;
-  QToolButton* close_;
+  QLabel* symbol_ = nullptr;
+  QLabel* label_ = nullptr;
+  QHBoxLayout* actions_ = nullptr;
+  QToolButton* more_ = nullptr;
+  QToolButton* close_ = nullptr;
 };
 
 }  // namespace fyd::widgets

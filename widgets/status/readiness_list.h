@@ -38,9 +38,9 @@ class ReadinessList : public QFrame {
   void addTrouble(class QGridLayout& grid, const ReadinessRow& row, int& line);
   void rebuild();
   std::vector<ReadinessRow> rows_;
-  QLabel* title_;
+  QLabel* title_ = nullptr;
   QWidget* body_ = nullptr;
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = nullptr;
 };
 
 }  // namespace fyd::widgets

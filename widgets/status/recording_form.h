@@ -57,19 +57,19 @@ class RecordingForm : public QFrame {
   RecordingView view_;
   std::function<QString(const QString&)> suggest_;
   bool file_is_own_ = false;  ///< written by the operator
-  QLineEdit* operator_;
-  QLineEdit* subject_;
-  QLineEdit* tags_;
-  QPlainTextEdit* notes_;
-  QLineEdit* file_;
-  QToolButton* browse_;
-  QWidget* before_;
-  QWidget* during_;
-  QLabel* figures_;
-  QLineEdit* note_;
-  QLabel* hint_;
-  QPushButton* start_;
-  QPushButton* stop_;
+  QLineEdit* operator_ = nullptr;
+  QLineEdit* subject_ = nullptr;
+  QLineEdit* tags_ = nullptr;
+  QPlainTextEdit* notes_ = nullptr;
+  QLineEdit* file_ = nullptr;
+  QToolButton* browse_ = nullptr;
+  QWidget* before_ = nullptr;
+  QWidget* during_ = nullptr;
+  QLabel* figures_ = nullptr;
+  QLineEdit* note_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QPushButton* start_ = nullptr;
+  QPushButton* stop_ = nullptr;
 };
 
 }  // namespace fyd::widgets

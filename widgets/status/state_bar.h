@@ -66,16 +66,16 @@ class StateBar : public QFrame {
   bool silent_ = false;
   QElapsedTimer since_;
   QTimer since_timer_;
-  QLabel* shape_;
-  QLabel* word_;
-  QLabel* since_label_;
-  QLabel* why_;
-  SimulatedBadge* badge_;
-  PartList* parts_;
-  RecordButton* record_;
-  QPushButton* tare_;
-  HoldButton* arm_;
-  QPushButton* stop_;
+  QLabel* shape_ = nullptr;
+  QLabel* word_ = nullptr;
+  QLabel* since_label_ = nullptr;
+  QLabel* why_ = nullptr;
+  SimulatedBadge* badge_ = nullptr;
+  PartList* parts_ = nullptr;
+  RecordButton* record_ = nullptr;
+  QPushButton* tare_ = nullptr;
+  HoldButton* arm_ = nullptr;
+  QPushButton* stop_ = nullptr;
 };
 
 }  // namespace fyd::widgets

@@ -31,8 +31,8 @@ class CouplingForm : public QFrame {
   TuningModel& model_;
   Force force_ = Force::unknown;
   TuningRow* row_ = nullptr;
-  QLabel* hint_;
-  QLabel* energy_;
+  QLabel* hint_ = nullptr;
+  QLabel* energy_ = nullptr;
 };
 
 }  // namespace fyd::widgets

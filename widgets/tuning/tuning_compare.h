@@ -19,8 +19,8 @@ class TuningCompare : public QWidget {
   void refresh();
 
   TuningModel& model_;
-  QToolButton* saved_;
-  QToolButton* current_;
+  QToolButton* saved_ = nullptr;
+  QToolButton* current_ = nullptr;
 };
 
 }  // namespace fyd::widgets

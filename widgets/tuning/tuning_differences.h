@@ -26,10 +26,10 @@ class TuningDifferences : public QWidget {
   void refresh();
 
   TuningModel& model_;
-  QLabel* words_;
-  QTableWidget* table_;
-  QPushButton* revert_;
-  QPushButton* revert_all_;
+  QLabel* words_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QPushButton* revert_ = nullptr;
+  QPushButton* revert_all_ = nullptr;
 };
 
 }  // namespace fyd::widgets

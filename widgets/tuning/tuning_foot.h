@@ -33,11 +33,11 @@ class TuningFoot : public QWidget {
   void showQuestion();
 
   TuningModel& model_;
-  QToolButton* undo_;
-  QToolButton* redo_;
-  TuningCompare* compare_;
-  QPushButton* save_;
-  TuningQuestionBox* question_;
+  QToolButton* undo_ = nullptr;
+  QToolButton* redo_ = nullptr;
+  TuningCompare* compare_ = nullptr;
+  QPushButton* save_ = nullptr;
+  TuningQuestionBox* question_ = nullptr;
 };
 
 }  // namespace fyd::widgets

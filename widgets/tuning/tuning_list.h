@@ -47,11 +47,11 @@ class TuningList : public QFrame {
   void goToFirst();
 
   TuningModel& model_;
-  QLineEdit* search_;
-  QCheckBox* only_changed_;
-  QLabel* summary_;
-  QLabel* empty_;
-  QScrollArea* scroll_;
+  QLineEdit* search_ = nullptr;
+  QCheckBox* only_changed_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QLabel* empty_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
   std::vector<Group> groups_;
   std::vector<TuningRow*> rows_;
 };

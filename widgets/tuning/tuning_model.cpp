@@ -131,6 +131,7 @@ Result<void> TuningModel::changeAll(const QString& words, std::span<const Settin
 
 void TuningModel::push(const QString& words, std::span<const Setting> settings, bool merge) {
   std::vector<Change> changes;
+  changes.reserve(settings.size());
   for (const Setting& setting : settings) {
     changes.push_back({.id = QString::fromStdString(setting.id), .from = find(setting.id)->value, .to = setting.value});
   }

@@ -58,8 +58,8 @@ class TuningPanel : public QFrame {
 
   TuningModel& model_;
   std::vector<TuningRow*> rows_;
-  QRadioButton* from_robot_;
-  QRadioButton* by_hand_;
+  QRadioButton* from_robot_ = nullptr;
+  QRadioButton* by_hand_ = nullptr;
   QToolButton* preset_ = nullptr;
   TuningFoot* foot_ = nullptr;
 };

@@ -36,13 +36,13 @@ class TuningPresetList : public QWidget {
   void refresh();
   [[nodiscard]] QString chosen() const;
 
-  QLabel* words_;
-  QListWidget* list_;
-  QLineEdit* name_;
-  QPushButton* save_;
-  QPushButton* load_;
-  QPushButton* rename_;
-  QPushButton* remove_;
+  QLabel* words_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QLineEdit* name_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QPushButton* load_ = nullptr;
+  QPushButton* rename_ = nullptr;
+  QPushButton* remove_ = nullptr;
   QString problem_;
 };
 

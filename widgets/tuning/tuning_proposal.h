@@ -51,14 +51,14 @@ class TuningProposal : public QWidget {
   void discardAsked();
 
  private:
-  QComboBox* source_;
-  QPushButton* start_;
-  QPushButton* cancel_;
-  QProgressBar* progress_;
-  QLabel* words_;
-  QTableWidget* table_;
-  QPushButton* accept_;
-  QPushButton* discard_;
+  QComboBox* source_ = nullptr;
+  QPushButton* start_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel* words_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QPushButton* accept_ = nullptr;
+  QPushButton* discard_ = nullptr;
 };
 
 }  // namespace fyd::widgets

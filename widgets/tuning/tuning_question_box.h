@@ -29,9 +29,9 @@ class TuningQuestionBox : public QFrame {
   void answered();
 
  private:
-  QLabel* words_;
-  QPushButton* leave_;
-  QPushButton* apply_;
+  QLabel* words_ = nullptr;
+  QPushButton* leave_ = nullptr;
+  QPushButton* apply_ = nullptr;
 };
 
 }  // namespace fyd::widgets

@@ -24,7 +24,7 @@ class TuningReadback : public QWidget {
   [[nodiscard]] QTableWidget* table() const { return table_; }
 
  private:
-  QTableWidget* table_;
+  QTableWidget* table_ = nullptr;
   std::vector<ReadbackLine> lines_;
 };
 

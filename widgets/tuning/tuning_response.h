@@ -59,16 +59,16 @@ class TuningResponse : public QWidget {
   void display(Which which);
   void displayVerdict(Which which);
 
-  QCustomPlot* plot_;
+  QCustomPlot* plot_ = nullptr;
   std::array<QCPGraph*, kCount> graphs_{};
-  QCPGraph* target_;
-  QCPGraph* upper_;
-  QCPGraph* lower_;
+  QCPGraph* target_ = nullptr;
+  QCPGraph* upper_ = nullptr;
+  QCPGraph* lower_ = nullptr;
   std::array<std::array<QLabel*, kFigures>, kCount> cells_{};
   std::array<QLabel*, kCount> heads_{};
   std::array<ResponseView, kCount> views_;
-  QLabel* ground_;
-  QProgressBar* busy_;
+  QLabel* ground_ = nullptr;
+  QProgressBar* busy_ = nullptr;
 };
 
 }  // namespace fyd::widgets

@@ -78,9 +78,9 @@ class TuningRow : public QWidget {
   Quantity quantity_;
   double lower_ = 0.0;  ///< the slider's ends; the field takes the whole range
   double upper_ = 1.0;
-  QLabel* name_;
-  QLabel* mark_;
-  QToolButton* reset_;
+  QLabel* name_ = nullptr;
+  QLabel* mark_ = nullptr;
+  QToolButton* reset_ = nullptr;
   QToolButton* revert_ = nullptr;
   bool narrow_ = false;
   int wide_px_ = 0;

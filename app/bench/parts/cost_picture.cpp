@@ -82,9 +82,9 @@ std::string errorAgainstCost(const std::vector<CostPanel>& panels, const CostAxe
       kPanel * static_cast<double>(across_panels),
       kPanelHigh * static_cast<double>((panels.size() + in_a_row - 1) / in_a_row));
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    out +=
-        fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n", kPanel * static_cast<double>(i % in_a_row),
-                    kPanelHigh * static_cast<double>(i / in_a_row), panel(panels[i], axes));
+    const std::size_t row = i / in_a_row, column = i % in_a_row;
+    out += fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n", kPanel * static_cast<double>(column),
+                       kPanelHigh * static_cast<double>(row), panel(panels[i], axes));
   }
   return out + "</svg>\n";
 }

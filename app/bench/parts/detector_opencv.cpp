@@ -13,14 +13,18 @@ namespace {
 constexpr int kColumns = 13;
 constexpr int kRows = 9;
 
+std::size_t placeOf(int column, int row) {
+  return static_cast<std::size_t>(row) * kColumns + static_cast<std::size_t>(column);
+}
+
 }  // namespace
 
 OpenCvFinger::OpenCvFinger(const sensing::FingerParameters& parameters) : parameters_(parameters) {
   light_.setRegion(parameters.roi_width_px, parameters.roi_height_px);
-  cells_.resize(kColumns * kRows);
+  cells_.resize(std::size_t{kColumns} * kRows);
   for (int j = 0; j < kRows; ++j) {
     for (int i = 0; i < kColumns; ++i) {
-      auto& cell = cells_[static_cast<std::size_t>(j * kColumns + i)];
+      auto& cell = cells_[placeOf(i, j)];
       cell.u = light_.toU(static_cast<float>((i + 0.5) * parameters.roi_width_px / kColumns - 0.5));
       cell.v = light_.toV(static_cast<float>((j + 0.5) * parameters.roi_height_px / kRows - 0.5));
     }
@@ -54,7 +58,7 @@ void OpenCvFinger::coverCells() {
       for (int i = 0; i < kColumns; ++i) {
         const cv::Rect cell(i * marks_.cols / kColumns, j * marks_.rows / kRows, marks_.cols / kColumns + 1,
                             marks_.rows / kRows + 1);
-        if ((cell & box).area() > 0) cells_[static_cast<std::size_t>(j * kColumns + i)].weight = 0.0F;
+        if ((cell & box).area() > 0) cells_[placeOf(i, j)].weight = 0.0F;
       }
     }
   }

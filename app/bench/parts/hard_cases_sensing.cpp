@@ -117,7 +117,7 @@ HardCase stiffnessOfALiftedFinger() {
 
 HardCase pictureWithoutContrast() {
   // Every pixel is equal: the printed σ = (max − min)/5 is 0.
-  const std::vector<std::uint8_t> grey(320 * 240, 100);
+  const std::vector<std::uint8_t> grey(std::size_t{320} * 240, 100);
   const double value = grey[0], darkest = value, sigma = (value - darkest) / 5.0;
   const double weight = std::exp(-(value - darkest) * (value - darkest) / (2.0 * sigma * sigma));
   const double naive_px = weight * 160.0 / weight;

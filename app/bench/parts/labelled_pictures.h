@@ -110,7 +110,7 @@ class LabelledPictures {
     double whole = 0.0;
     for (int j = 0; j < kPatch; ++j) {
       for (int i = 0; i < kPatch; ++i) {
-        const double c = cover_[static_cast<std::size_t>(j * kPatch + i)];
+        const double c = cover_[placeOf(i, j)];
         whole += c;
         const int u = patch_u_ + i - region.roi_x_px;
         const int v = patch_v_ + j - region.roi_y_px;
@@ -126,6 +126,10 @@ class LabelledPictures {
     label_.cut = sum < whole - 0.5;
   }
 
+  static std::size_t placeOf(int i, int j) {
+    return static_cast<std::size_t>(j) * kPatch + static_cast<std::size_t>(i);
+  }
+
   /// Share of each pixel inside the disc: exact along 16 sub-rows of each row.
   void cover() {
     cover_.assign(static_cast<std::size_t>(kPatch) * kPatch, 0.0F);
@@ -138,7 +142,7 @@ class LabelledPictures {
         const double to = centre_u_ + half - patch_u_ + 0.5;
         for (int i = std::max(0, static_cast<int>(from)); i < std::min(kPatch, static_cast<int>(to) + 1); ++i) {
           const double share = std::min(to, i + 1.0) - std::max(from, static_cast<double>(i));
-          if (share > 0.0) cover_[static_cast<std::size_t>(j * kPatch + i)] += static_cast<float>(share / kSubRows);
+          if (share > 0.0) cover_[placeOf(i, j)] += static_cast<float>(share / kSubRows);
         }
       }
     }
@@ -162,9 +166,9 @@ class LabelledPictures {
             const int ii = i + k * step_i;
             const int jj = j + k * step_j;
             if (ii < 0 || jj < 0 || ii >= kPatch || jj >= kPatch) continue;
-            value += kernel[k + kReach] * in[static_cast<std::size_t>(jj * kPatch + ii)];
+            value += kernel[k + kReach] * in[placeOf(ii, jj)];
           }
-          out[static_cast<std::size_t>(j * kPatch + i)] = value / sum;
+          out[placeOf(i, j)] = value / sum;
         }
       }
     };
@@ -180,9 +184,9 @@ class LabelledPictures {
         const int i = u - patch_u_;
         const int j = v - patch_v_;
         const bool near = i >= 0 && j >= 0 && i < kPatch && j < kPatch;
-        const double c = near ? static_cast<double>(cover_[static_cast<std::size_t>(j * kPatch + i)]) : 0.0;
+        const double c = near ? static_cast<double>(cover_[placeOf(i, j)]) : 0.0;
         const double grey = light(u, v) * (1.0 - label_.contrast * c) + label_.noise * static_cast<double>(noise[u]);
-        picture_[static_cast<std::size_t>(v * kWidth + u)] =
+        picture_[static_cast<std::size_t>(v) * kWidth + static_cast<std::size_t>(u)] =
             static_cast<std::uint8_t>(std::clamp(std::lround(grey), 0L, 255L));
       }
     }

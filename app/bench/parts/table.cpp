@@ -13,6 +13,7 @@ constexpr std::string_view kNothing = "—";
 
 std::vector<std::string> headings(const Table& table) {
   std::vector<std::string> out;
+  out.reserve(table.columns.size());
   for (const Column& column : table.columns) out.push_back(column.heading());
   return out;
 }

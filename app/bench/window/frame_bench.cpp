@@ -84,6 +84,7 @@ std::vector<Row> frameRows(const Settings& settings) {
   presser.join();
 
   std::vector<double> stop_ms;
+  stop_ms.reserve(std::min(pressed_ms.size(), session->stopped_ms.size()));
   for (std::size_t i = 0; i < std::min(pressed_ms.size(), session->stopped_ms.size()); ++i) {
     stop_ms.push_back(session->stopped_ms[i] - pressed_ms[i]);
   }

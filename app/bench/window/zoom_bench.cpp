@@ -89,6 +89,7 @@ std::vector<Row> zoomRows(const Settings& settings) {
   const int naive_views = settings.seconds < 5.0 ? 2 : 8;
   std::mt19937 random(3);
   std::vector<std::size_t> spikes;
+  spikes.reserve(100);
   for (int i = 0; i < 100; ++i) spikes.push_back(random() % kSamples);
   std::ranges::sort(spikes);
   widgets::CurveBuffer buffer(1, kSamples);
@@ -105,6 +106,7 @@ std::vector<Row> zoomRows(const Settings& settings) {
   std::vector<Row> rows;
   Result all;
   std::vector<std::vector<View>> shown;
+  shown.reserve(std::size(kSpans_s));
   for (const double span_s : kSpans_s) {
     shown.push_back(viewsOf(span_s, views, spikes, random));
     const Result found = ours(buffer, shown.back(), strip);

@@ -36,14 +36,14 @@ class CalibrationButtons : public QFrame {
  private:
   QPushButton* add(const char* name, const QString& text, const QString& tip);
 
-  QLabel* why_still_;
-  QPushButton* back_;
-  QPushButton* take_;
-  widgets::HoldButton* move_;
-  QPushButton* simulate_;
-  QPushButton* report_;
-  QPushButton* discard_;
-  QPushButton* accept_;
+  QLabel* why_still_ = nullptr;
+  QPushButton* back_ = nullptr;
+  QPushButton* take_ = nullptr;
+  widgets::HoldButton* move_ = nullptr;
+  QPushButton* simulate_ = nullptr;
+  QPushButton* report_ = nullptr;
+  QPushButton* discard_ = nullptr;
+  QPushButton* accept_ = nullptr;
 };
 
 }  // namespace fyd::console

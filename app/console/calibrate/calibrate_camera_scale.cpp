@@ -53,6 +53,7 @@ class CameraScaleStep : public CalibrationStep {
   }
   std::vector<QPointF> marks(const std::vector<CalibrationPoint>& points) const override {
     std::vector<QPointF> out;
+    out.reserve(points.size());
     for (const CalibrationPoint& point : points) out.emplace_back(point[0], point[1]);
     return out;
   }

@@ -95,6 +95,7 @@ class ClothStep : public CalibrationStep {
   std::vector<CalibrationSignal> signalsWanted(const station::Profile& profile) const override {
     constexpr double kMoving_counts = 40.0, kMoving_mm = 0.7, kMoving_mm2 = 15.0;
     std::vector<CalibrationSignal> out;
+    out.reserve(sensorsOf(profile.step.sensing.indentation));
     for (std::size_t i = 0; i < sensorsOf(profile.step.sensing.indentation); ++i) {
       out.push_back({tr("Distance %1").arg(i + 1), tr("counts"), 0, kMoving_counts});
     }

@@ -37,7 +37,7 @@ class CalibrationEntryForm : public QWidget {
   std::vector<QLineEdit*> fields_;
   std::vector<QComboBox*> units_;
   QWidget* body_ = nullptr;
-  QLabel* problem_;
+  QLabel* problem_ = nullptr;
 };
 
 }  // namespace fyd::console

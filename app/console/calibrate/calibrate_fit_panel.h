@@ -43,15 +43,15 @@ class CalibrationFitPanel : public QFrame {
   void setCoefficients(const std::vector<calibration::Coefficient>& coefficients);
   void setChanges(const calibration::CalibrationResult& result, station::Profile& profile);
 
-  widgets::FitPlot* plot_;
-  QLabel* legend_;
-  QLabel* verdict_;
-  QLabel* figures_;
-  QTableWidget* changes_;
-  QTableWidget* coefficients_;
-  QLineEdit* who_;
-  QPushButton* offered_;  ///< takes the name of the last calibration
-  QLineEdit* conditions_;
+  widgets::FitPlot* plot_ = nullptr;
+  QLabel* legend_ = nullptr;
+  QLabel* verdict_ = nullptr;
+  QLabel* figures_ = nullptr;
+  QTableWidget* changes_ = nullptr;
+  QTableWidget* coefficients_ = nullptr;
+  QLineEdit* who_ = nullptr;
+  QPushButton* offered_ = nullptr;  ///< takes the name of the last calibration
+  QLineEdit* conditions_ = nullptr;
   QString last_name_;
 };
 

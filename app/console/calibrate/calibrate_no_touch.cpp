@@ -39,6 +39,7 @@ class NoTouchStep : public CalibrationStep {
 
   std::vector<CalibrationSignal> signalsWanted(const station::Profile& profile) const override {
     std::vector<CalibrationSignal> out;
+    out.reserve(profile.step.sensing.indentation.ir_x_mm.size());
     for (std::size_t i = 0; i < profile.step.sensing.indentation.ir_x_mm.size(); ++i) {
       out.push_back({tr("Distance %1").arg(i + 1), QStringLiteral("mm"), 1, sensing::Tare::kLargestSpread_mm});
     }

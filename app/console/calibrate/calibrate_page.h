@@ -79,20 +79,20 @@ class CalibratePage : public Page {
   QElapsedTimer clock_;     ///< of the live curve
   std::size_t traced_ = 0;  ///< signals on the live curve, the first ones
 
-  CalibrationPartList* parts_;
-  QLabel* drawing_;  ///< drawing of the instruction
-  QLabel* instruction_;
-  QLabel* live_;
-  QLabel* hint_;
-  QLabel* missing_;
-  QProgressBar* progress_;
-  CalibrationEntryForm* entries_;
-  CalibrationFitPanel* fit_panel_;
-  widgets::PicturePick* picture_;
-  widgets::LiveTrace* trace_;
-  widgets::HeadingTable* table_;
-  CalibrationButtons* buttons_;
-  CalibrationRun* run_;
+  CalibrationPartList* parts_ = nullptr;
+  QLabel* drawing_ = nullptr;  ///< drawing of the instruction
+  QLabel* instruction_ = nullptr;
+  QLabel* live_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* missing_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  CalibrationEntryForm* entries_ = nullptr;
+  CalibrationFitPanel* fit_panel_ = nullptr;
+  widgets::PicturePick* picture_ = nullptr;
+  widgets::LiveTrace* trace_ = nullptr;
+  widgets::HeadingTable* table_ = nullptr;
+  CalibrationButtons* buttons_ = nullptr;
+  CalibrationRun* run_ = nullptr;
 };
 
 }  // namespace fyd::console

@@ -58,6 +58,7 @@ QString missingOf(const calibration::CalibrationResult& result) {
 
 std::vector<double> columnOf(const std::vector<CalibrationPoint>& points, std::size_t column) {
   std::vector<double> out;
+  out.reserve(points.size());
   for (const CalibrationPoint& point : points) out.push_back(point[column]);
   return out;
 }

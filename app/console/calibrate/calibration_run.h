@@ -85,7 +85,7 @@ class CalibrationRun : public QObject {
   [[nodiscard]] PointOrigin originOfReadings() const;
 
   PageContext context_;
-  HeldMotion* motion_;
+  HeldMotion* motion_ = nullptr;
   station::Profile profile_;
   CalibrationSteps steps_;
   int step_ = 0;

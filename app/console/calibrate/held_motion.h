@@ -30,7 +30,7 @@ class HeldMotion : public QObject {
   void keep();
 
   Session& session_;
-  widgets::HoldButton* button_;
+  widgets::HoldButton* button_ = nullptr;
   QTimer timer_;
   station::DeviceTestStatus status_;
   bool pressing_ = false;  // the simulated finger presses while the button is held

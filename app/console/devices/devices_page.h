@@ -56,8 +56,8 @@ class DevicesPage : public Page {
   bool silent_ = false;
   QHBoxLayout* row_ = nullptr;
   QLabel* empty_ = nullptr;
-  widgets::FoundList* found_;
-  widgets::ConnectionForm* form_;
+  widgets::FoundList* found_ = nullptr;
+  widgets::ConnectionForm* form_ = nullptr;
   DeviceSearch* search_ = nullptr;
   bool looked_ = false;
 };

@@ -49,13 +49,13 @@ class FingerMenu : public QToolButton {
   std::optional<Hand> hand_;  ///< the last one that was chosen
   bool demonstrates_ = true;
   QString folder_;
-  QMenu* menu_;
-  QMenu* speeds_;
-  QActionGroup* what_;
-  QActionGroup* speed_;
-  QAction* demonstration_;
-  QAction* recorded_;
-  QAction* again_;
+  QMenu* menu_ = nullptr;
+  QMenu* speeds_ = nullptr;
+  QActionGroup* what_ = nullptr;
+  QActionGroup* speed_ = nullptr;
+  QAction* demonstration_ = nullptr;
+  QAction* recorded_ = nullptr;
+  QAction* again_ = nullptr;
   Background reading_;
 };
 

@@ -44,14 +44,14 @@ class OperatePage : public Page {
 
   PageContext context_;
   CalibrationAges ages_;
-  widgets::CameraPanel* camera_;
-  FingerMenu* finger_;
-  widgets::ReadinessList* readiness_;
-  widgets::CurveView* curves_;
-  CurveTools* curve_tools_;
-  widgets::TuningPanel* tuning_;
-  QMainWindow* area_;
-  SceneDock* scene_;
+  widgets::CameraPanel* camera_ = nullptr;
+  FingerMenu* finger_ = nullptr;
+  widgets::ReadinessList* readiness_ = nullptr;
+  widgets::CurveView* curves_ = nullptr;
+  CurveTools* curve_tools_ = nullptr;
+  widgets::TuningPanel* tuning_ = nullptr;
+  QMainWindow* area_ = nullptr;
+  SceneDock* scene_ = nullptr;
   DockSet panels_;
   std::vector<QAction*> finger_actions_;
 };

@@ -48,8 +48,8 @@ class RecordingControl : public QObject {
 
   PageContext context_;
   QString memory_;
-  widgets::RecordingForm* form_;
-  SideDock* dock_;
+  widgets::RecordingForm* form_ = nullptr;
+  SideDock* dock_ = nullptr;
   widgets::RecordButton* button_ = nullptr;
   recording::RecorderStatus last_;
   int markers_ = 0;

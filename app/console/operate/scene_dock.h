@@ -35,7 +35,7 @@ class SceneDock : public SideDock {
   void prepare();
   SceneDock(widgets::SceneView* view, QWidget* parent);
 
-  widgets::SceneView* view_;
+  widgets::SceneView* view_ = nullptr;
   std::shared_ptr<scene::SceneStage> stage_;
   bool looked_ = false;  ///< whether the first session was checked for a scene
   bool touchable_ = false;

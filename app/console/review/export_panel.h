@@ -45,19 +45,19 @@ class ExportPanel : public QWidget {
   /// The path that is chosen in the list, or the newest; empty: none.
   [[nodiscard]] QString chosenPath() const;
 
-  ReviewExports* exports_;
+  ReviewExports* exports_ = nullptr;
   OpenFolder open_;
   double from_s_ = 0.0;
   double to_s_ = 0.0;
   bool marked_ = false;
-  QComboBox* format_;
-  QRadioButton* whole_;
-  QRadioButton* stretch_;
-  QPushButton* write_;
-  QListWidget* written_;
-  QPushButton* folder_;
-  QPushButton* copy_;
-  QLabel* words_;
+  QComboBox* format_ = nullptr;
+  QRadioButton* whole_ = nullptr;
+  QRadioButton* stretch_ = nullptr;
+  QPushButton* write_ = nullptr;
+  QListWidget* written_ = nullptr;
+  QPushButton* folder_ = nullptr;
+  QPushButton* copy_ = nullptr;
+  QLabel* words_ = nullptr;
 };
 
 }  // namespace fyd::console

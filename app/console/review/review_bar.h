@@ -30,11 +30,11 @@ class ReviewBar : public QWidget {
  private:
   void addPlaying(ReviewPlayer& player);
 
-  QHBoxLayout* layout_;
-  QLabel* time_;
-  widgets::TimeField* time_field_;
-  QLabel* title_;
-  QToolButton* recover_;
+  QHBoxLayout* layout_ = nullptr;
+  QLabel* time_ = nullptr;
+  widgets::TimeField* time_field_ = nullptr;
+  QLabel* title_ = nullptr;
+  QToolButton* recover_ = nullptr;
 };
 
 }  // namespace fyd::console

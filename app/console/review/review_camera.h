@@ -19,8 +19,8 @@ class ReviewCamera : public QWidget {
   void showAt(const recording::Recording* recording, double time_s);
 
  private:
-  widgets::CameraImage* camera_;
-  QLabel* words_;
+  widgets::CameraImage* camera_ = nullptr;
+  QLabel* words_ = nullptr;
   std::uint64_t shown_ = 0;  // number of the picture shown; 0: none
 };
 

@@ -39,11 +39,11 @@ class ReviewComparison : public QWidget {
   std::unique_ptr<recording::Recording> other_;
   std::vector<exports::Touch> touches_;
   std::vector<exports::Touch> other_touches_;
-  QLineEdit* path_;
-  QPushButton* choose_;
-  QComboBox* our_touch_;
-  QComboBox* their_touch_;
-  QLabel* words_;
+  QLineEdit* path_ = nullptr;
+  QPushButton* choose_ = nullptr;
+  QComboBox* our_touch_ = nullptr;
+  QComboBox* their_touch_ = nullptr;
+  QLabel* words_ = nullptr;
   TouchSearch search_;
 };
 

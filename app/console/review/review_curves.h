@@ -41,7 +41,7 @@ class ReviewCurves : public QWidget {
   void addStrips();
 
   ReviewSource source_;
-  widgets::CurveStack* stack_;
+  widgets::CurveStack* stack_ = nullptr;
   double duration_s_ = 0.0;
   QTimer timer_;
 };

@@ -51,7 +51,7 @@ class ReviewExports : public QObject {
   [[nodiscard]] std::string targetFor(const QString& ending, const QString& of = {}) const;
   void finish(const std::string& target, const Result<void>& done, const QString& then);
 
-  widgets::ProgressBars* bars_;
+  widgets::ProgressBars* bars_ = nullptr;
   Tell tell_;
   QString path_;
   std::map<std::string, LongWork*> works_;  // by the file each writes

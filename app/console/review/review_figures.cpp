@@ -63,6 +63,7 @@ Result<std::vector<StretchFigures>> figuresBetween(const recording::Recording& r
     }
   }
   std::vector<StretchFigures> out;
+  out.reserve(sums.size());
   for (const Sums& each : sums) out.push_back(each.figures());
   return out;
 }

@@ -44,8 +44,8 @@ class ReviewMarks {
   void deliver(Change change);
   void deliverNext();
 
-  widgets::SessionOverview* overview_;
-  NoteTable* table_;
+  widgets::SessionOverview* overview_ = nullptr;
+  NoteTable* table_ = nullptr;
   Tell tell_;
   std::string path_;
   QString catalogue_;

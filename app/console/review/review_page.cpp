@@ -169,6 +169,7 @@ void ReviewPage::connectCursor() {
 void ReviewPage::connectTabs() {
   connect(tabs_, &ReviewTabs::touchesChanged, overview_, [this](const std::vector<exports::Touch>& touches) {
     std::vector<std::pair<double, double>> bars;
+    bars.reserve(touches.size());
     for (const exports::Touch& touch : touches) bars.emplace_back(touch.start_s, touch.end_s);
     overview_->setTouches(std::move(bars));
   });

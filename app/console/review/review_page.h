@@ -90,21 +90,21 @@ class ReviewPage : public Page {
   RecentRecordings recent_;
   ReviewPlayer player_;
 
-  QStackedWidget* stack_;
-  widgets::ProgressBars* work_;
-  SessionList* list_;
-  widgets::SessionOverview* overview_;
-  ReviewCurves* curves_;
-  CurveTools* curve_tools_;
-  ReviewExports* exports_;
-  ReviewRecovery* recovery_;
-  NoteTable* note_table_;
+  QStackedWidget* stack_ = nullptr;
+  widgets::ProgressBars* work_ = nullptr;
+  SessionList* list_ = nullptr;
+  widgets::SessionOverview* overview_ = nullptr;
+  ReviewCurves* curves_ = nullptr;
+  CurveTools* curve_tools_ = nullptr;
+  ReviewExports* exports_ = nullptr;
+  ReviewRecovery* recovery_ = nullptr;
+  NoteTable* note_table_ = nullptr;
   ReviewMarks marks_;
-  ReviewBar* bar_;
-  ReviewCamera* camera_;
-  QLineEdit* note_field_;
-  QLineEdit* tags_field_;
-  ReviewTabs* tabs_;
+  ReviewBar* bar_ = nullptr;
+  ReviewCamera* camera_ = nullptr;
+  QLineEdit* note_field_ = nullptr;
+  QLineEdit* tags_field_ = nullptr;
+  ReviewTabs* tabs_ = nullptr;
 };
 
 }  // namespace fyd::console

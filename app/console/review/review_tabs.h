@@ -48,14 +48,14 @@ class ReviewTabs : public QTabWidget {
   void findTouches();
 
   PageContext context_;
-  ReviewExports* exports_;
+  ReviewExports* exports_ = nullptr;
   QString path_;
-  TouchTable* touch_table_;
-  QToolButton* card_;
-  FiguresTable* figures_table_;
-  WhatIfPanel* what_if_;
-  ReviewComparison* comparison_;
-  ExportPanel* export_panel_;
+  TouchTable* touch_table_ = nullptr;
+  QToolButton* card_ = nullptr;
+  FiguresTable* figures_table_ = nullptr;
+  WhatIfPanel* what_if_ = nullptr;
+  ReviewComparison* comparison_ = nullptr;
+  ExportPanel* export_panel_ = nullptr;
   TouchSearch touch_search_;
   LongWork figures_work_;
 };

@@ -61,15 +61,15 @@ class SessionList : public QWidget {
   [[nodiscard]] QString namedPath();
 
   QString catalogue_;
-  QLineEdit* filter_;
-  QTableWidget* table_;
-  QLineEdit* path_;
-  QPushButton* open_;
-  QPushButton* choose_;
-  QToolButton* recent_;
-  QPushButton* compare_;
-  QPushButton* recover_;
-  QLabel* words_;
+  QLineEdit* filter_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QLineEdit* path_ = nullptr;
+  QPushButton* open_ = nullptr;
+  QPushButton* choose_ = nullptr;
+  QToolButton* recent_ = nullptr;
+  QPushButton* compare_ = nullptr;
+  QPushButton* recover_ = nullptr;
+  QLabel* words_ = nullptr;
   QString problem_;
   std::vector<catalogue::CatalogueEntry> entries_;
   catalogue::CatalogueEntry chosen_;  ///< kept while rows change; without an id: none

@@ -41,13 +41,13 @@ class WhatIfPanel : public QWidget {
   void finish(const Result<replay::ReplayResult>& result, std::shared_ptr<const widgets::CurveBuffer> curves);
 
   QString path_;
-  QComboBox* parameter_;
-  QLineEdit* value_;
-  QPushButton* add_;
-  QListWidget* settings_;
-  QCheckBox* closed_loop_;
-  QPushButton* run_;
-  QLabel* words_;
+  QComboBox* parameter_ = nullptr;
+  QLineEdit* value_ = nullptr;
+  QPushButton* add_ = nullptr;
+  QListWidget* settings_ = nullptr;
+  QCheckBox* closed_loop_ = nullptr;
+  QPushButton* run_ = nullptr;
+  QLabel* words_ = nullptr;
   LongWork work_;
 };
 

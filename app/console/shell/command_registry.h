@@ -48,7 +48,7 @@ class CommandRegistry : public QObject {
   QAction* make(const CommandInfo& info);
   void hideEmptyMenus();
 
-  QWidget* window_;
+  QWidget* window_ = nullptr;
   std::vector<QAction*> actions_;
   std::vector<QMenu*> menus_;
 };

@@ -39,9 +39,9 @@ class CurveTools : public QObject {
   void showState();
   void addSaving(PlaceCommands& commands, const std::string& place, const char* menu, std::function<void()> save_table);
 
-  widgets::CurveStack* stack_;
-  widgets::CurveSetupPanel* panel_;
-  widgets::SpectrumView* spectrum_;
+  widgets::CurveStack* stack_ = nullptr;
+  widgets::CurveSetupPanel* panel_ = nullptr;
+  widgets::SpectrumView* spectrum_ = nullptr;
   CurveSaver saver_;
   QAction* link_action_ = nullptr;
   QAction* hold_action_ = nullptr;

@@ -38,7 +38,7 @@ class DockSet {
 
   QMainWindow& window_;
   Sharing sharing_;
-  WindowFollower* follower_;  ///< the window's child
+  WindowFollower* follower_ = nullptr;  ///< the window's child
   std::vector<Panel> panels_;
 };
 

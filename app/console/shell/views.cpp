@@ -144,6 +144,7 @@ widgets::CameraPicture toCameraPicture(const station::CameraView& view) {
 
 std::vector<PartView> toParts(const station::StationStatus& status, double missed_now, std::uint64_t telemetry_lost) {
   std::vector<PartView> out;
+  out.reserve(status.parts.size());
   for (const device::DeviceReport& part : status.parts) out.push_back(toPart(part));
   out.push_back(linkPart(status.link));
   out.push_back(loopPart(status.loop, missed_now, telemetry_lost));

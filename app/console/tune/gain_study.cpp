@@ -142,6 +142,7 @@ void GainStudy::showProposal(const widgets::ResponseView& response) {
 void GainStudy::acceptProposal() {
   if (!study_.proposal()) return;
   std::vector<widgets::Setting> settings;
+  settings.reserve(kTunedGains.size());
   for (const TunedGain& gain : kTunedGains) {
     settings.push_back({.id = gain.id, .value = study_.proposal()->proposed.*gain.field});
   }

@@ -35,8 +35,8 @@ class GainStudy : public QObject {
 
   PageContext context_;
   widgets::TuningModel& model_;
-  widgets::TuningResponse* response_;
-  widgets::TuningProposal* proposal_;
+  widgets::TuningResponse* response_ = nullptr;
+  widgets::TuningProposal* proposal_ = nullptr;
   LoopStudy study_;
   std::vector<TuneSource> sources_;
   std::optional<control::LoopTiming> studied_with_;  ///< none: the motors had not answered

@@ -46,16 +46,16 @@ class TunePage : public Page {
 
   PageContext context_;
   widgets::TuningModel& model_;
-  widgets::TuningList* list_;
-  widgets::TuningResponse* response_;
-  widgets::TuningDifferences* differences_;
-  widgets::TuningPresetList* presets_;
-  widgets::TuningProposal* proposal_;
-  widgets::TuningReadback* readback_;
-  QTabWidget* tabs_;
-  QLabel* live_;
-  widgets::TuningFoot* foot_;
-  GainStudy* gains_;
+  widgets::TuningList* list_ = nullptr;
+  widgets::TuningResponse* response_ = nullptr;
+  widgets::TuningDifferences* differences_ = nullptr;
+  widgets::TuningPresetList* presets_ = nullptr;
+  widgets::TuningProposal* proposal_ = nullptr;
+  widgets::TuningReadback* readback_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  QLabel* live_ = nullptr;
+  widgets::TuningFoot* foot_ = nullptr;
+  GainStudy* gains_ = nullptr;
   QTimer reading_;
   pipeline::TelemetrySample newest_;
   bool shown_ = false;

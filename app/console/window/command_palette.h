@@ -27,8 +27,8 @@ class CommandPalette : public QDialog {
   void filter(const QString& letters);
   void run();
   const CommandRegistry& registry_;
-  QLineEdit* field_;
-  QListWidget* list_;
+  QLineEdit* field_ = nullptr;
+  QListWidget* list_ = nullptr;
   QPointer<QWidget> former_focus_;
 };
 

@@ -37,7 +37,7 @@ class FirstSteps : public QObject {
   PageContext context_;
   WindowMemory memory_;
   std::function<void(const QString& place)> go_;
-  widgets::GuideStrip* strip_;
+  widgets::GuideStrip* strip_ = nullptr;
   QTimer counting_;  ///< looks at the calibration records while the way is shown
   bool chosen_ = false;
   bool answers_ = false;

@@ -42,13 +42,13 @@ class Frame : public QWidget {
 
  private:
   CommandRegistry& commands_;
-  QVBoxLayout* strips_;
-  widgets::NavigationBar* navigation_bar_;
-  widgets::StateBar* state_bar_;
-  widgets::NoticeStack* notices_;
-  QMainWindow* panel_area_;
+  QVBoxLayout* strips_ = nullptr;
+  widgets::NavigationBar* navigation_bar_ = nullptr;
+  widgets::StateBar* state_bar_ = nullptr;
+  widgets::NoticeStack* notices_ = nullptr;
+  QMainWindow* panel_area_ = nullptr;
   QScrollArea* area_ = nullptr;  ///< around the places
-  QStackedWidget* stack_;
+  QStackedWidget* stack_ = nullptr;
   std::map<QString, Page*> pages_;
   QString place_;
 };

@@ -34,10 +34,10 @@ class HelpDock : public SideDock {
   /// @param heading its number on the page, from 0; an invalid one leaves the page as it is
   void scrollTo(int heading);
 
-  QTextBrowser* page_;
-  QLineEdit* field_;
-  QListWidget* found_;
-  QToolButton* back_;
+  QTextBrowser* page_ = nullptr;
+  QLineEdit* field_ = nullptr;
+  QListWidget* found_ = nullptr;
+  QToolButton* back_ = nullptr;
   QString topic_;
   QStringList former_;
 };

@@ -40,13 +40,13 @@ class LayoutsDialog : public QDialog {
 
   WindowMemory& memory_;
   std::function<Layout()> present_;
-  QLineEdit* field_;
-  QListWidget* list_;
-  QPushButton* save_;
-  QPushButton* use_;
-  QPushButton* delete_;
-  QPushButton* standard_;
-  QLabel* words_;
+  QLineEdit* field_ = nullptr;
+  QListWidget* list_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QPushButton* use_ = nullptr;
+  QPushButton* delete_ = nullptr;
+  QPushButton* standard_ = nullptr;
+  QLabel* words_ = nullptr;
 };
 
 }  // namespace fyd::console

@@ -29,9 +29,9 @@ class LinkDock : public SideDock {
   void showRobot(const ConnectionWords& words);
 
   ConnectionChange& connection_;
-  widgets::LinkPanel* panel_;
-  widgets::CouplingForm* coupling_;
-  widgets::RobotForm* form_;
+  widgets::LinkPanel* panel_ = nullptr;
+  widgets::CouplingForm* coupling_ = nullptr;
+  widgets::RobotForm* form_ = nullptr;
 };
 
 }  // namespace fyd::console

@@ -30,7 +30,7 @@ class MissingDevices : public QObject {
 
   PageContext context_;
   std::function<void()> choose_;
-  widgets::GuideStrip* strip_;
+  widgets::GuideStrip* strip_ = nullptr;
   QTimer patience_;
   Message why_;
   bool expecting_ = false;

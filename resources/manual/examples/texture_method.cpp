@@ -30,6 +30,7 @@ int main() {
 
   const auto judge = [&](const char* name, Method& method) {
     std::vector<double> signal;
+    signal.reserve(axes.x.size());
     for (std::size_t i = 0; i < axes.x.size(); ++i) signal.push_back(method.step({axes.x[i], axes.y[i], axes.z[i]}));
     const MatchFigures figures = compareSpectra(axes.x, axes.y, axes.z, signal, method.delaySamples(), kRate_Hz);
     fmt::print("{:<12} spectral match {:.2f}   energy {:.2f}   delay {} ms\n", name, figures.spectral_match,

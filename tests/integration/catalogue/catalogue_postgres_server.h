@@ -79,6 +79,7 @@ class PostgresServer {
   [[nodiscard]] pid_t run(const std::vector<std::string>& words) const {
     const std::string program = binaries() + "/" + words.front();
     std::vector<char*> arguments;
+    arguments.reserve(words.size());
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const pid_t child = fork();

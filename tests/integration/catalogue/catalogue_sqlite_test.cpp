@@ -126,6 +126,7 @@ TEST_F(SqliteCatalogue, WhatADamagedOneStillSaysIsTakenOver) {
   {
     auto catalogue = Catalogue::open(word());
     std::vector<CatalogueEntry> many;
+    many.reserve(300);
     for (int i = 0; i < 300; ++i) many.push_back(entryOf(fmt::format("id-{:04}", i)));
     ASSERT_TRUE(catalogue->add(many));
     ASSERT_TRUE(catalogue->setNotes("id-0000", "written here"));

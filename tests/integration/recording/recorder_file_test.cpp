@@ -188,7 +188,8 @@ TEST_F(Recorded, WholePicturesComeAtTheirRateAndRegionsWithEveryOne) {
     EXPECT_EQ(cv::norm(back->region, pictures[i](region), cv::NORM_INF), 0.0);
     EXPECT_EQ(cv::norm(back->whole(region), back->region, cv::NORM_INF), 0.0) << "the region is never an older one";
     const int around = back->whole.at<std::uint8_t>(0, 0);
-    EXPECT_NEAR(around, 10.0 * static_cast<double>(i / 3 * 3), 2.0) << "every third whole at 30 in a second";
+    const auto whole = i / 3 * 3;
+    EXPECT_NEAR(around, 10.0 * static_cast<double>(whole), 2.0) << "every third whole at 30 in a second";
   }
 }
 

@@ -78,8 +78,9 @@ TEST_F(Replay, IsIdenticalFromTheMiddleOfASessionWithEachCoupling) {
     options.parameters.step.coupling = static_cast<teleop::TouchpadCouplingChoice>(i);
     before_step = [this](pipeline::Inputs& in) {
       in.robot.state = {};
-      in.robot.state.set(toldAt(1e-3 * static_cast<double>(steps / 10 * 10)), in.now);
-      in.robot.state.count = 1 + steps / 10;
+      const auto tens = steps / 10;
+      in.robot.state.set(toldAt(1e-2 * static_cast<double>(tens)), in.now);
+      in.robot.state.count = 1 + tens;
     };
     samples.clear();
     const auto recording = record(5.0, 4.0, 1.0);
@@ -303,7 +304,7 @@ TEST_F(Replay, ARecordingIsACamera) {
   const cv::Rect region(50, 45, 220, 150);
   for (int i = 0; i < 3; ++i) {
     recorder->offerPicture(picture, region, {}, samples.back().now - std::chrono::milliseconds(300 - 50 * i),
-                           static_cast<std::uint64_t>(i + 1));
+                           static_cast<std::uint64_t>(i) + 1);
   }
   ASSERT_TRUE(recorder->begin({.path = file("seen.h5")}));
   run(0.2);

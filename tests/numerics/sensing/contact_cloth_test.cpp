@@ -15,10 +15,11 @@
 namespace fyd::sensing {
 namespace {
 
+std::size_t at(int i, int j) { return static_cast<std::size_t>(j) * 101 + static_cast<std::size_t>(i); }
+
 /// Relaxation of Tx·u_xx + Ty·u_yy = 0 on a 1 mm grid, finger as a disc of ones; front and back held or free.
 std::vector<double> relaxed(double fx, double fy, double radius, double ratio, bool free) {
-  std::vector<double> u(101 * 71, 0.0);
-  const auto at = [](int i, int j) { return static_cast<std::size_t>(j * 101 + i); };
+  std::vector<double> u(std::size_t{101} * 71, 0.0);
   std::vector<bool> fixed(u.size(), false);
   for (int j = 0; j < 71; ++j) {
     for (int i = 1; i < 100; ++i) {
@@ -54,7 +55,7 @@ TEST(ContactCloth, UnevenTensionAndFreeEdgesAgreeWithRelaxation) {
         for (int i = 0; i < 101; ++i) {
           const bool on_border = i == 0 || i == 100 || j == 0 || j == 70;  // shape answers 0 on all of the frame
           if (on_border) continue;
-          const double error = membrane.shape(i - 50, j - 35, fx, fy) - u[static_cast<std::size_t>(j * 101 + i)];
+          const double error = membrane.shape(i - 50, j - 35, fx, fy) - u[at(i, j)];
           // At the rim itself the disc, an ellipse in the scaled plane, is taken for a round one.
           const bool near = std::hypot(i - 50 - fx, j - 35 - fy) < 14.0;
           ASSERT_LT(std::abs(error), near ? 0.2 : 0.15)

@@ -269,13 +269,14 @@ TEST(HardCases, TheDetectorAllocatesOnlyAtTheFirstPicture) {
 TEST(HardCases, TheDetectorSurvivesAnyPicture) {
   std::mt19937 random(11);
   FingerDetector detector;
-  std::vector<std::uint8_t> pixels(700 * 500 * 3);
+  std::vector<std::uint8_t> pixels(std::size_t{700} * 500 * 3);
   for (int i = 0; i < 300; ++i) {
     const int kind = static_cast<int>(random() % 5);
     const int width = static_cast<int>(random() % 700) + 1;
     const int height = static_cast<int>(random() % 500) + 1;
     const int channels = random() % 2 == 0 ? 1 : 3;
-    const auto size = static_cast<std::size_t>(width * height * channels);
+    const int bytes = width * height * channels;
+    const auto size = static_cast<std::size_t>(bytes);
     for (std::size_t k = 0; k < size; ++k) {
       pixels[k] = kind == 0   ? static_cast<std::uint8_t>(random())           // noise
                   : kind == 1 ? static_cast<std::uint8_t>((k / 3) % 2 * 255)  // stripes

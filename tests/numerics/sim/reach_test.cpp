@@ -16,6 +16,7 @@ constexpr std::size_t kSettled = 3000;  // ms
 FingerPath indexFinger() {
   const CsvTable table = readCsv(FYD_TEST_DATA "/hand_motion/index_tip.csv", {"t_s", "x_mm", "y_mm", "z_mm"}).value();
   std::vector<FingerPath::Knot> knots;
+  knots.reserve(6000);
   for (std::size_t row = 0; row < 6000; ++row) {
     knots.push_back({table.values[0][row],
                      {.x_mm = 0.3 * (table.values[1][row] - 330.0),

@@ -189,6 +189,7 @@ TEST(ThesisDft321, DropsOneSampleInEveryBlockAndIsSilentWhileItComputes) {
   constexpr int kFrame = 8;
   ThesisDft321 printed(kFrame);
   std::vector<double> out;
+  out.reserve(36);
   for (int n = 0; n < 36; ++n) out.push_back(printed.step({static_cast<double>(n + 1), 0.0, 0.0}));
   for (int n = 0; n < 9; ++n) EXPECT_EQ(out[static_cast<std::size_t>(n)], 0.0);
   for (int n = 9; n < 36; ++n) {

@@ -35,6 +35,7 @@ std::vector<double> noise(double level_g, std::size_t samples = 4000, double low
 
 std::vector<double> firstDuty(FeltMapping& mapping, const std::vector<double>& signal, double share = kNaN) {
   std::vector<double> out;
+  out.reserve(signal.size());
   for (const double v : signal) out.push_back(mapping.step(v, share).percent[0]);
   return out;
 }

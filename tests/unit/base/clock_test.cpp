@@ -88,6 +88,7 @@ TEST(Clock, NeverGoesBackForAnyThreadWhileHoldsComeAndGo) {
   std::atomic<std::int64_t> latest{0};
   std::atomic<int> backwards{0};
   std::vector<std::jthread> threads;
+  threads.reserve(2);
   for (int i = 0; i < 2; ++i) {
     threads.emplace_back([&] {
       while (!end) {

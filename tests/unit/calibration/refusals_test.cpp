@@ -208,9 +208,9 @@ TEST(CameraMapping, AMirroredTargetIsPointedOut) {
 
 TEST(Threshold, LiesInTheValleyBetweenFingerAndCloth) {
   std::array<std::uint64_t, 256> histogram{};
-  for (int i = -12; i <= 12; ++i) {
-    histogram[static_cast<std::size_t>(60 + i)] = 20;     // a finger of 500 pixels
-    histogram[static_cast<std::size_t>(220 + i)] = 1200;  // on 30 000 of cloth
+  for (std::size_t i = 0; i < 25; ++i) {
+    histogram[48 + i] = 20;     // a finger of 500 pixels
+    histogram[208 + i] = 1200;  // on 30 000 of cloth
   }
   const auto found = suggestThreshold(histogram);
   ASSERT_TRUE(found.plausible) << found.reason.text();

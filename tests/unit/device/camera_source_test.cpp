@@ -346,7 +346,7 @@ TEST_F(CameraSource, VideoPlaysAtItsOwnRateAndStartsAgain) {
     const auto frame = (*camera)->next();
     ASSERT_TRUE(frame) << frame.error().text();
     EXPECT_NEAR(greyOf(*frame), 10 * (i % 3 + 1), 2) << "frame " << i;
-    EXPECT_EQ(frame->number, static_cast<std::uint64_t>(i + 1));
+    EXPECT_EQ(frame->number, static_cast<std::uint64_t>(i) + 1);
     if (i == 0) first = frame->taken;
     EXPECT_GE(frame->taken - first, std::chrono::milliseconds(20) * i - std::chrono::milliseconds(20)) << "not faster";
   }

@@ -158,6 +158,7 @@ TEST_F(Export, AnExistingFileIsReplacedOnlyWhenAsked) {
 TEST_F(Export, ADamagedRecordingOrAFullDiskLeavesNothing) {
   recording::FakeRecording recording = session(20'000);
   std::vector<double> times_s;
+  times_s.reserve(30);
   for (int i = 0; i < 30; ++i) times_s.push_back(0.1 * i);
   addPictures(recording, times_s);
   recording.failure_ = "block 7: checksum";

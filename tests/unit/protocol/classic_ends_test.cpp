@@ -63,6 +63,7 @@ class Touchpad {
 
 std::vector<std::string> sent(const TouchpadReception& reception) {
   std::vector<std::string> out;
+  out.reserve(reception.replies.size());
   for (const Datagram& datagram : reception.replies) out.push_back(text(datagram.bytes));
   return out;
 }

@@ -310,6 +310,7 @@ TEST(LinkEnds, SecondRobotIsToldSoAndTakesOverOnlyAfterSilence) {
       const Packet bytes(datagram.bytes.begin(), datagram.bytes.end());
       const auto& got = pair.touchpad.handle(bytes, other, pair.now, pair.answer);
       std::vector<Packet> replies;
+      replies.reserve(got.replies.size());
       for (const Datagram& reply : got.replies) replies.emplace_back(reply.bytes.begin(), reply.bytes.end());
       for (const Packet& reply : replies) static_cast<void>(second.handle(reply, LinkPair::kTouchpad, pair.now));
     }

@@ -290,6 +290,7 @@ TEST_F(Channel, ReflectionIsRefused) {
 
 TEST_F(Channel, ReorderingAcrossTheWindowsEdge) {
   std::vector<Packet> sent;
+  sent.reserve(3'000);
   for (int i = 0; i < 3'000; ++i) sent.push_back(seal(sealer_));
   EXPECT_EQ(open(opener_, sent[1'500]), LinkRefusal::none);
   EXPECT_EQ(open(opener_, sent[1'500 - 1'023]), LinkRefusal::none);  // the oldest of the window's 1024

@@ -259,6 +259,7 @@ TEST(Trials, TheSeedGivesTheOrderAgainAndAnotherSeedAnother) {
 TEST(Trials, AWilliamsSquareBalancesWhatCameJustBefore) {
   for (const std::size_t n : {2U, 3U, 4U, 5U, 6U}) {
     std::vector<std::string> conditions;
+    conditions.reserve(n);
     for (std::size_t i = 0; i < n; ++i) conditions.push_back(std::string(1, static_cast<char>('a' + i)));
     const std::size_t rows = n % 2 == 0 ? n : 2 * n;
     const auto trials = orderTrials(conditions, rows, 3, experiment::TrialOrder::latin_square);

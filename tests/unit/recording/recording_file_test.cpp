@@ -99,6 +99,7 @@ TEST(RecordingFile, RandomStepsComeBackBitForBit) {
   ASSERT_TRUE(writer) << writer.error().text();
   RandomSteps random(1);
   std::vector<StepRecord> steps;
+  steps.reserve(1103);
   for (int i = 0; i < 1103; ++i) {
     steps.push_back(random.next());
     ASSERT_TRUE((*writer)->append(steps.back()));

@@ -42,7 +42,7 @@ inline StepRecord plainStep(std::uint64_t row) {
   record.inputs.now = record.telemetry.now;
   record.inputs.finger.count = row / 33;
   record.inputs.bridge.count = row / 12;
-  record.inputs.bridge.value.value_mV_per_V = static_cast<double>(row / 12);
+  record.inputs.bridge.value.value_mV_per_V = static_cast<double>(record.inputs.bridge.count);
   record.inputs.motors.count = row;
   record.inputs.motors.value.current_mA = {std::sin(static_cast<double>(row)), 1.0};
   record.motors.reference_ticks = {static_cast<std::int16_t>(row % 1000), 0};

@@ -171,10 +171,11 @@ TEST(LoadCell, TareMakesThePresentForceZero) {
   EXPECT_NEAR(cell.force_N(0.06), 0.0, 1e-12);
 }
 
+std::size_t at(int i, int j) { return static_cast<std::size_t>(j) * 101 + static_cast<std::size_t>(i); }
+
 /// Relaxation of Laplace's equation on a 1 mm grid, finger as a disc of ones.
 std::vector<double> relaxed(double fx, double fy) {
-  std::vector<double> u(101 * 71, 0.0);
-  const auto at = [](int i, int j) { return static_cast<std::size_t>(j * 101 + i); };
+  std::vector<double> u(std::size_t{101} * 71, 0.0);
   std::vector<bool> fixed(u.size(), false);
   for (int j = 1; j < 70; ++j) {
     for (int i = 1; i < 100; ++i) {
@@ -202,7 +203,7 @@ TEST(Membrane, AgreesWithAFiniteDifferenceSolution) {
     double squares = 0.0;
     for (int j = 0; j < 71; ++j) {
       for (int i = 0; i < 101; ++i) {
-        const double error = membrane.shape(i - 50, j - 35, fx, fy) - u[static_cast<std::size_t>(j * 101 + i)];
+        const double error = membrane.shape(i - 50, j - 35, fx, fy) - u[at(i, j)];
         ASSERT_LT(std::abs(error), 0.08) << i - 50 << ' ' << j - 35;
         squares += error * error;
       }

@@ -16,10 +16,14 @@ struct Picture {
   std::vector<std::uint8_t> pixels;
 
   explicit Picture(std::uint8_t grey, int w = 320, int h = 240, int c = 1)
-      : width(w), height(h), channels(c), pixels(static_cast<std::size_t>(w * h * c), grey) {}
+      : width(w), height(h), channels(c), pixels(placeIn(0, h), grey) {}
+  [[nodiscard]] std::size_t placeIn(int x, int y) const {
+    const int pixel = y * width + x;
+    return static_cast<std::size_t>(pixel) * static_cast<std::size_t>(channels);
+  }
   void set(int x, int y, int grey) {
     for (int c = 0; c < channels; ++c) {
-      pixels[static_cast<std::size_t>((y * width + x) * channels + c)] = static_cast<std::uint8_t>(grey);
+      pixels[placeIn(x, y) + static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(grey);
     }
   }
   void rectangle(int x0, int y0, int x1, int y1, int grey) {
@@ -283,7 +287,7 @@ TEST(FingerOverlay, MarksTheFingerAndOtherBlobs) {
   picture.disc(90, 120, 20, 70);
   picture.disc(220, 120, 13, 70);
   (void)detector.detect(picture.view());
-  std::vector<std::uint8_t> mask(220 * 150, 77);
+  std::vector<std::uint8_t> mask(std::size_t{220} * 150, 77);
   detector.drawOverlay(mask);
   EXPECT_EQ(mask[(120 - 45) * 220 + (90 - 40)], 255);
   EXPECT_EQ(mask[(120 - 45) * 220 + (220 - 40)], 128);

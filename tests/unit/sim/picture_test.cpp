@@ -172,7 +172,7 @@ TEST(SimulatedCamera, KeepsItsRateAndSkipsWhatABusyCallerMissed) {
   for (int i = 0; i < 5; ++i) {
     const auto frame = camera.next();
     ASSERT_TRUE(frame);
-    EXPECT_EQ(frame->number, static_cast<std::uint64_t>(i + 1));
+    EXPECT_EQ(frame->number, static_cast<std::uint64_t>(i) + 1);
     EXPECT_GT(frame->taken, last);
     last = frame->taken;
   }

@@ -63,6 +63,7 @@ TEST(UniformStream, ASensorAtTheRateGoesThroughUnchangedInSpiteOfJitter) {
 
 TEST(UniformStream, RepeatedReadingsOfAFasterLoopAreAveragedWithinTheirPeriod) {
   std::vector<AccelerationSample> in;
+  in.reserve(2500);
   for (int n = 0; n < 2500; ++n) in.push_back(sample(n * 0.4, std::floor(n * 0.4)));
   const Streamed r = run(in, 900, 0.5, 2.5);
   const auto values = numbers(r.values);

@@ -195,6 +195,7 @@ TEST(ContactDetector, HearsTouchesAndTheOnsetOfSlipAndNothingElse) {
     for (const double scale : {0.3, 1.0, 5.0}) {
       const auto heard = listen(scale, rate_Hz);
       std::vector<ContactEvent> kinds;
+      kinds.reserve(heard.size());
       for (const Heard& h : heard) kinds.push_back(h.event);
       const std::vector<ContactEvent> expected = {ContactEvent::touch, ContactEvent::release, ContactEvent::touch,
                                                   ContactEvent::slip, ContactEvent::release};
