@@ -39,10 +39,10 @@ void setUncertainty(ClothFit& fit, const Eigen::Matrix2d& normal, std::size_t pr
   const double degrees_of_freedom = static_cast<double>(fit.residuals.size() - presses) - 4.0;
   if (!(degrees_of_freedom > 0.0)) return;
   fit.covariance = normal.inverse() * (fit.cost / degrees_of_freedom);
-  const Eigen::Vector2d scale = normal.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::Vector2d values =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scale.asDiagonal() * normal * scale.asDiagonal()).eigenvalues();
-  fit.condition_number = values[0] > 0.0 ? std::sqrt(values[1] / values[0]) : std::numeric_limits<double>::infinity();
+  // Scaled to ones on its diagonal, a matrix of two rows has the eigenvalues 1 ± the correlation.
+  const double correlation = std::abs(normal(0, 1)) / std::sqrt(normal(0, 0) * normal(1, 1));
+  fit.condition_number = correlation < 1.0 ? std::sqrt((1.0 + correlation) / (1.0 - correlation))
+                                           : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ class IrStep : public CalibrationStep {
       }
       const double mean = sum / readings();
       const double variance = std::max(0.0, squares / readings() - mean * mean) * readings() / (readings() - 1.0);
-      out.push_back({mean, distance_mm, std::sqrt(variance)});
+      out.push_back({mean, static_cast<double>(distance_mm), std::sqrt(variance)});
     }
     return out;
   }
