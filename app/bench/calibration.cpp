@@ -61,11 +61,11 @@ Table bench_calibration() {
   for (const auto& [name, lowest, highest] :
        {std::tuple{"524 to 3408", 524.0, 3408.0}, std::tuple{"2000 to 2200, clustered", 2000.0, 2200.0}}) {
     const Data data = dataBetween(lowest, highest);
-    const auto add = [&](const char* method, auto&& solve) {
+    const auto add = [&, &span = name](const char* method, auto&& solve) {
       auto times = timeEach(wholeOrQuick(400, 20), [&] { (void)solve(data); });
       const Quantiles q = quantiles(times);
       const double error = (solve(data) - data.truth).cwiseAbs().maxCoeff();
-      table.rows.push_back({name, method, number(q.p50 / 1000), number(q.p99 / 1000), number(error)});
+      table.rows.push_back({span, method, number(q.p50 / 1000), number(q.p99 / 1000), number(error)});
     };
     add("baseline: normal equations, powers of codes", naive);
     add("Chebyshev on the span, QR, with uncertainty", scaled);

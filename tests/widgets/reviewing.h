@@ -35,7 +35,7 @@ inline recording::StepRecord row(std::uint64_t i, std::uint64_t press) {
 /// What a recorder leaves: `name`, or `name`.partial when it was killed.
 inline QString makeRecording(const QTemporaryDir& folder, const QString& name, std::uint64_t press = kPress,
                              bool killed = false, bool tared = false) {
-  const QString path = folder.filePath(name);
+  QString path = folder.filePath(name);
   recording::RecordingHeader header{.id = std::string(32, 'a'),
                                     .started_utc = "2026-11-21T10:00:00.000Z",
                                     .started = Instant(std::chrono::seconds(100)),

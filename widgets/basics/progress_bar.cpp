@@ -76,7 +76,7 @@ void ProgressBar::setDone(double share) {
 }
 
 QString ProgressBar::shareText(int percent, double elapsed_s) {
-  const QString share = tr("%1 %").arg(percent);
+  QString share = tr("%1 %").arg(percent);
   if (percent < 1 || percent > 99 || !(elapsed_s >= kEnoughToGoBy_s)) return share;
   const double left_s = elapsed_s * (100 - percent) / percent;
   constexpr double kMinute_s = 60.0;

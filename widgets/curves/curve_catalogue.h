@@ -13,8 +13,8 @@
 namespace fyd::widgets {
 
 struct CurveQuantity {
-  const char* field;  ///< name in pipeline::telemetryFields()
-  const char* word;   ///< what the strip does not already say: "x", "target"; empty: the strip's own quantity
+  const char* field = "";  ///< name in pipeline::telemetryFields()
+  const char* word = "";   ///< what the strip does not already say: "x", "target"; empty: the strip's own quantity
   Quantity quantity = Quantity::none;
   Stroke stroke = Stroke::solid;
   int decimals = 2;
@@ -78,8 +78,8 @@ inline constexpr std::size_t kCurveChannels = [] {
 [[nodiscard]] std::span<const std::size_t> curveFields();
 
 struct StripPlan {
-  const char* id;
-  const char* title;
+  const char* id = "";
+  const char* title = "";
   const char* unit = "";  ///< its first field's
   Range least;            ///< shown at least
   std::vector<std::size_t> channels;

@@ -100,16 +100,15 @@ void PartChoice::takeFocus() {
 }
 
 void PartChoice::showKind() {
-  using Entry = SourceKind::Entry;
   const SourceKind& kind = chosen();
   const QSignalBlocker quiet(entry_);
   entry_->clear();
-  if (kind.entry == Entry::found) entry_->addItems(found_);
+  if (kind.entry == SourceKind::Entry::found) entry_->addItems(found_);
   entry_->setCurrentIndex(-1);
   entry_->lineEdit()->setPlaceholderText(kind.example);
   entry_->setAccessibleName(tr("%1: %2").arg(kind_->accessibleName(), kind.label));
-  entry_->setVisible(kind.entry != Entry::none);
-  browse_->setVisible(kind.entry == Entry::file || kind.entry == Entry::folder);
+  entry_->setVisible(kind.entry != SourceKind::Entry::none);
+  browse_->setVisible(kind.entry == SourceKind::Entry::file || kind.entry == SourceKind::Entry::folder);
   browse_->setAccessibleName(tr("%1: choose the file").arg(kind_->accessibleName()));
   setProblem({});
 }

@@ -20,9 +20,9 @@ Stroke strokeOf(ReviewLayer layer, Stroke own) {
 }
 
 QString wordOf(ReviewLayer layer, const widgets::CurveQuantity& quantity) {
-  const QString own = widgets::wordOf(quantity);
+  QString own = widgets::wordOf(quantity);
   if (layer == ReviewLayer::session) return own;
-  const QString whose = layer == ReviewLayer::other ? ReviewCurves::tr("other") : ReviewCurves::tr("what if");
+  QString whose = layer == ReviewLayer::other ? ReviewCurves::tr("other") : ReviewCurves::tr("what if");
   return own.isEmpty() ? whose : whose + QLatin1Char(' ') + own;
 }
 

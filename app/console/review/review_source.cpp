@@ -67,7 +67,8 @@ widgets::CurveRows ReviewSource::rows(std::span<const std::size_t> channels, dou
   out.values.resize(channels.size());
   const std::size_t layer = channels.empty() ? layers_.size() : channels.front() / widgets::kCurveChannels;
   if (layer >= layers_.size() || layers_[layer].recording == nullptr) return out;
-  const auto& [recording, later_by_s] = layers_[layer];
+  const auto& recording = layers_[layer].recording;
+  const double later_by_s = layers_[layer].later_by_s;
   const auto first = recording->rowAt(from_s - later_by_s);
   const auto end = recording->rowAt(justAfter(to_s - later_by_s));
   if (!first || !end || *end <= *first) return out;

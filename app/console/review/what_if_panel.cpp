@@ -87,7 +87,7 @@ WhatIfPanel::WhatIfPanel(widgets::ProgressBars* bars, QWidget* parent)
   build();
   connect(add_, &QPushButton::clicked, this, &WhatIfPanel::addSetting);
   connect(value_, &QLineEdit::returnPressed, this, &WhatIfPanel::addSetting);
-  connect(settings_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { delete item; });
+  connect(settings_, &QListWidget::itemActivated, this, [](QListWidgetItem* item) { delete item; });
   connect(run_, &QPushButton::clicked, this, &WhatIfPanel::run);
   setRecording({});
 }

@@ -55,7 +55,7 @@ void CurveTools::showState() {
 QByteArray CurveTools::choice() const { return widgets::choiceOf(*stack_); }
 
 QString CurveTools::choose(const QByteArray& choice) {
-  const QString left_out = widgets::takeChoice(*stack_, choice);
+  QString left_out = widgets::takeChoice(*stack_, choice);
   panel_->refresh();
   return left_out;
 }

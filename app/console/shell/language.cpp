@@ -43,7 +43,7 @@ QString chooseLanguage(const QStringList& wanted) {
     if (isLanguage(each)) return each;
   }
   for (const QString& each : QLocale::system().uiLanguages()) {
-    const QString code = each.section(QLatin1Char('-'), 0, 0);
+    QString code = each.section(QLatin1Char('-'), 0, 0);
     if (isLanguage(code)) return code;
   }
   return QStringLiteral("en");

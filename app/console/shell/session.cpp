@@ -187,7 +187,7 @@ Result<void> StationSession::beginAnew(const station::Profile& profile) {
   close();
   station::StationOptions changed = options_;
   changed.profile = profile;
-  const auto opened = open(changed);
+  auto opened = open(changed);
   if (opened) return {};
   if (const auto again = open(options_); !again) {
     return fail("{}; the former session could not be had again either: {}", opened.error().message,

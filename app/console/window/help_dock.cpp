@@ -25,7 +25,7 @@ class ManualPage : public QTextBrowser {
   using QTextBrowser::QTextBrowser;
   QSize sizeHint() const override { return {kPageWidth, kPageWidth}; }
   QVariant loadResource(int type, const QUrl& name) override {
-    const QVariant found = QTextBrowser::loadResource(type, name);
+    QVariant found = QTextBrowser::loadResource(type, name);
     const QImage image = type == QTextDocument::ImageResource ? QImage::fromData(found.toByteArray()) : QImage();
     const int room = std::max(kPageWidth, viewport()->width()) - 2 * kGrid;
     if (image.width() <= room) return found;

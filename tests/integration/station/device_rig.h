@@ -84,7 +84,7 @@ class DeviceRig {
     namespace fs = std::filesystem;
     sim::TouchpadProcessOptions options;
     const auto any = *protocol::parseEndpoint("127.0.0.1:0");
-    const std::string port = (folder_ / fmt::format("port{}", ++starts_)).string();
+    std::string port = (folder_ / fmt::format("port{}", ++starts_)).string();
     const auto plugIn = [&](const char* name) {
       fs::remove(folder_ / "by-id" / name);
       fs::create_symlink(port, folder_ / "by-id" / name);

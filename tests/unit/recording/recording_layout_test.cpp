@@ -187,18 +187,17 @@ TEST_F(RecordingLayout, ColumnsThatAreNotWhatTheirNamesSayAreRefused) {
     hid_t type;
     const char* words;
   };
-  for (const auto& [row_bytes, chunk, type, words] :
-       {Case{24, 170, H5T_IEEE_F64LE, "/notes/index: column when_ns is not of this format's type"},
-        Case{4096, 1, H5T_STD_I64LE, "/notes/index: rows of 4096 bytes; this program's have 24"},
-        Case{16, 170, H5T_STD_I64LE, "/notes/index: not in chunks of 256 rows"}}) {
+  for (const Case& each : {Case{24, 170, H5T_IEEE_F64LE, "/notes/index: column when_ns is not of this format's type"},
+                           Case{4096, 1, H5T_STD_I64LE, "/notes/index: rows of 4096 bytes; this program's have 24"},
+                           Case{16, 170, H5T_STD_I64LE, "/notes/index: not in chunks of 256 rows"}}) {
     ::unlink(file.c_str());
     record(file);
     change([&](hid_t id) {
       H5Ldelete(id, "/notes/index", H5P_DEFAULT);
-      const hid_t row = H5Tcreate(H5T_COMPOUND, row_bytes);
-      EXPECT_GE(H5Tinsert(row, "when_ns", 8, type), 0);
+      const hid_t row = H5Tcreate(H5T_COMPOUND, each.row_bytes);
+      EXPECT_GE(H5Tinsert(row, "when_ns", 8, each.type), 0);
       const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-      H5Pset_chunk(properties, 1, &chunk);
+      H5Pset_chunk(properties, 1, &each.chunk);
       const hsize_t none = 0;
       const hsize_t most = H5S_UNLIMITED;
       const hid_t space = H5Screate_simple(1, &none, &most);
@@ -208,7 +207,7 @@ TEST_F(RecordingLayout, ColumnsThatAreNotWhatTheirNamesSayAreRefused) {
            {std::pair{&H5Dclose, made}, {&H5Sclose, space}, {&H5Pclose, properties}, {&H5Tclose, row}})
         close(what);
     });
-    expectRefused(file, words);
+    expectRefused(file, each.words);
   }
 }
 

@@ -79,7 +79,7 @@ TEST(RecordingOverview, IsExactlyTheExtremesOfItsBuckets) {
     const std::size_t first = i == 0 ? 0 : random() % values.size();
     const std::size_t rows = i == 0 ? values.size() : 1 + random() % (values.size() >> (random() % 12));
     const std::size_t end = std::min(values.size(), first + rows);
-    const std::size_t buckets = std::array{1, 2, 7, 100, 1000, 3000}[random() % 6];
+    const std::size_t buckets = std::array{1U, 2U, 7U, 100U, 1000U, 3000U}[random() % 6];
     const auto overview = recording->overview(kForce, static_cast<double>(first) / 1000.0,
                                               static_cast<double>(end - 1) / 1000.0, buckets);
     ASSERT_TRUE(overview) << overview.error().text();
