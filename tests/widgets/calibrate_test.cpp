@@ -7,6 +7,7 @@
 #include "core/sim/touchpad/ir_sensor.h"
 #include "core/sim/touchpad/picture.h"
 #include "core/station/profile/calibration_file.h"
+#include "tests/sweep.h"
 #include "tests/widgets/calibrating.h"
 #include "tests/widgets/suite.h"
 
@@ -514,4 +515,3 @@ std::unique_ptr<QObject> makeCalibrateTest() { return std::make_unique<Calibrate
 }  // namespace fyd::tests
 
 #include "calibrate_test.moc"
-#include "tests/sweep.h"
