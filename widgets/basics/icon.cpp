@@ -28,7 +28,7 @@ QSvgRenderer* rendererFor(const QString& name, const QColor& colour) {
 
 class SvgEngine : public QIconEngine {
  public:
-  SvgEngine(QString name, QColor colour) : name_(std::move(name)), colour_(std::move(colour)) {}
+  SvgEngine(QString name, const QColor& colour) : name_(std::move(name)), colour_(colour) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     QColor colour = colour_.isValid() ? colour_ : theme().text;

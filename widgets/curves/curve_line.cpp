@@ -22,6 +22,7 @@ constexpr std::size_t kBlock = 8;  // columns
 class Columns {
  public:
   /// @param count of the columns that can be seen
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): of block_ only the first block_size_ are read
   Columns(int count, int line_width) : count_(count), line_width_(line_width) {}
 
   void moveTo(QPointF point) {

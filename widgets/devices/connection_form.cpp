@@ -200,7 +200,7 @@ void ConnectionForm::touchpadChanged() {
 
 QString ConnectionForm::missing() const {
   for (const PartChoice* each : {touchpad_, motors_, camera_}) {
-    if (const QString what = each->missing(); !what.isEmpty()) return what;
+    if (QString what = each->missing(); !what.isEmpty()) return what;
   }
   return {};
 }

@@ -266,7 +266,7 @@ bool SceneCaster::Impl::moveParts(const SceneMeshes& meshes, const SceneParts& g
   markParts(tiles, shot);
   struct Round {
     Float3 at;
-    float radius;
+    float radius = 0.0F;
   };
   const auto round = [&](Vec3 at_mm, double radius_mm) {
     return Round{floats(meshes.unitOf(at_mm)), static_cast<float>(radius_mm / meshes.radius_mm)};

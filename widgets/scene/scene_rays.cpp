@@ -38,7 +38,7 @@ QRgb rgb(Float3 c) {
 }  // namespace
 
 std::vector<Vec3> cornersOf(RTCScene scene) {
-  RTCBounds box;
+  RTCBounds box{};
   rtcGetSceneBounds(scene, &box);
   std::vector<Vec3> out;
   for (int corner = 0; corner < 8 && box.lower_x <= box.upper_x; ++corner) {
@@ -87,10 +87,12 @@ SceneRays::SceneRays(RTCScene top, RTCScene parts_scene, const SceneMeshes& mesh
 
 void SceneRays::packet(float x, float y, float step, bool with_parts, std::array<Float3, 16>& colour,
                        std::array<float, 16>& depth_mm) const {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): what Embree reads is written below
   alignas(64) RTCRayHit16 rays;
   alignas(64) int valid[16];
   for (int i = 0; i < 16; ++i) {
-    const float a = x + step * static_cast<float>(i % kPacket), b = y + step * static_cast<float>(i / kPacket);
+    const int column = i % kPacket, row = i / kPacket;
+    const float a = x + step * static_cast<float>(column), b = y + step * static_cast<float>(row);
     valid[i] = -1;
     rays.ray.org_x[i] = corner_.x + a * across_.x + b * down_.x;
     rays.ray.org_y[i] = corner_.y + a * across_.y + b * down_.y;
@@ -106,7 +108,7 @@ void SceneRays::packet(float x, float y, float step, bool with_parts, std::array
     rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid, top_, &context, &rays);
@@ -119,7 +121,8 @@ void SceneRays::packet(float x, float y, float step, bool with_parts, std::array
       continue;
     }
     depth_mm[k] = static_cast<float>((near_ + static_cast<double>(rays.ray.tfar[i])) * radius_mm_);
-    const float a = x + step * static_cast<float>(i % kPacket), b = y + step * static_cast<float>(i / kPacket);
+    const int column = i % kPacket, row = i / kPacket;
+    const float a = x + step * static_cast<float>(column), b = y + step * static_cast<float>(row);
     colour[k] = shade(rays.hit, i, (static_cast<int>(a + b) / 3) % 2 == 0);
   }
 }
@@ -152,7 +155,7 @@ void SceneRays::castTile(const SceneCanvas& canvas, SceneFineness fineness, int 
   const int block = fineness.block;
   const auto step = static_cast<float>(block);
   std::array<Float3, 16> colour, sum;
-  std::array<float, 16> depth, nearest;
+  std::array<float, 16> depth{}, nearest{};
   for (int y0 = top; y0 < std::min(canvas.height, top + SceneTiles::kTile_px); y0 += kPacket * block) {
     for (int x0 = left; x0 < std::min(canvas.width, left + SceneTiles::kTile_px); x0 += kPacket * block) {
       const auto x = static_cast<float>(x0), y = static_cast<float>(y0);

@@ -217,7 +217,7 @@ void SceneView::ask(bool finest) {
   worker_.ask(std::move(request));
 }
 
-bool SceneView::moving() const { return isVisible() && since_change_.elapsed() < 2 * kStill_ms; }
+bool SceneView::moving() const { return isVisible() && since_change_.elapsed() < qint64{2} * kStill_ms; }
 
 double SceneView::picturesPerSecond() const {
   if (!moving() || painted_ms_.size() < 2) return 0.0;

@@ -35,7 +35,7 @@ GuideStrip::GuideStrip(const QString& name, QWidget* parent)
 }
 
 void GuideStrip::setGuide(const std::vector<Step>& steps, std::size_t current, const QString& advice,
-                          std::vector<Action> actions) {
+                          const std::vector<Action>& actions) {
   advice_->setText(advice);
   if (steps != steps_ || current != current_) {
     steps_ = steps;

@@ -31,7 +31,7 @@ class GuideStrip : public QFrame {
 
   /// @param current step; as many as there are steps: none. Equal words keep their buttons, and the focus in them.
   void setGuide(const std::vector<Step>& steps, std::size_t current, const QString& advice,
-                std::vector<Action> actions);
+                const std::vector<Action>& actions);
   /// The focus goes to the present step's first button.
   void takeFocus();
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }

@@ -19,7 +19,7 @@ constexpr int kIcon = 16;
 QColor healthColour(PartView::Health health) {
   switch (health) {
     case PartView::Health::well: return theme().muted;
-    case PartView::Health::doubtful: return theme().warning;
+    case PartView::Health::doubtful:
     case PartView::Health::missing: return theme().warning;
   }
   return theme().muted;
@@ -107,7 +107,7 @@ void PartList::paintEvent(QPaintEvent*) {
     const bool well = part.health == PartView::Health::well;
     const QColor colour = healthColour(part.health);
     const int middle = rect.center().y();
-    paintIcon(painter, QRectF(rect.left(), middle - kIcon / 2 + 1, kIcon, kIcon),
+    paintIcon(painter, QRect(rect.left(), middle - kIcon / 2 + 1, kIcon, kIcon),
               well ? part.icon : QStringLiteral("warning"), colour);
     const int name_x = rect.left() + kIcon + kGrid / 2;
     QFont name_font = textFont(TextSize::small, true);

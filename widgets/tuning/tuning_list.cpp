@@ -75,7 +75,8 @@ void TuningList::addRows(QVBoxLayout* layout) {
     if (parameter.info.info.live) live.push_back(&parameter);
   }
   // The gains first: they are what the step response beside the list is about.
-  std::ranges::stable_partition(live, [](const TunedParameter* each) { return each->info.id.starts_with("control."); });
+  std::stable_partition(live.begin(), live.end(),
+                        [](const TunedParameter* each) { return each->info.id.starts_with("control."); });
   QString room;
   for (const TunedParameter* parameter : live) {
     const Parameter& info = parameter->info;

@@ -9,6 +9,13 @@ namespace {
 
 std::atomic<std::uint64_t> allocations{0};
 
+#if defined(__clang__)
+#define FYD_ASKS_SANITIZER (__has_feature(thread_sanitizer) || __has_feature(address_sanitizer))
+#else
+#define FYD_ASKS_SANITIZER 0
+#endif
+
+#if !FYD_ASKS_SANITIZER
 void* allocate(std::size_t size) {
   allocations.fetch_add(1, std::memory_order_relaxed);
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
@@ -21,9 +28,18 @@ void* allocate(std::size_t size, std::align_val_t alignment) {
   if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
   throw std::bad_alloc();
 }
+#endif
 
 }  // namespace
 
+#if FYD_ASKS_SANITIZER
+// clang's sanitizers have the operators themselves, in the program; they tell of each allocation.
+extern "C" __attribute__((disable_sanitizer_instrumentation)) void
+__sanitizer_malloc_hook(  // NOLINT(bugprone-reserved-identifier)
+    const volatile void* /*memory*/, std::size_t /*size*/) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+}
+#else
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
 void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, alignment); }
@@ -44,6 +60,7 @@ void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory
 void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+#endif
 
 namespace fyd::bench {
 

@@ -124,7 +124,7 @@ void HelpDock::load(const QString& topic) {
     lines.setBorderCollapse(true);
     lines.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
     lines.setBorderBrush(widgets::theme().line);
-    lines.setCellPadding(kGrid / 2);
+    lines.setCellPadding(0.5 * kGrid);
     lines.setCellSpacing(0);
     table->setFormat(lines);
   }

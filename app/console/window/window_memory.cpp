@@ -7,7 +7,7 @@
 namespace fyd::console {
 namespace {
 
-constexpr qsizetype kMostBytes = 64 * 1024;  // Qt's saved state has some hundred bytes
+constexpr qsizetype kMostBytes = qsizetype{64} * 1024;  // Qt's saved state has some hundred bytes
 
 /// A name may hold any character; a key of the file may not.
 QString groupOf(const QString& name) { return QStringLiteral("layouts/") + QString::fromLatin1(name.toUtf8().toHex()); }
