@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs all tests. $1: another preset than release (debug, asan, tsan).
+# Installs what is missing, builds everything and runs all tests. $1: another preset than release (debug, asan, tsan, fuzz).
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 
 preset=${1:-release}
-install_packages run package test
+groups=(run package test)
+case $preset in tsan | fuzz) groups+=(clang) ;; esac
+install_packages "${groups[@]}"
 build "$preset" -UFYD_BUILD_PYTHON -DFYD_BUILD_TESTS=ON -DFYD_WARNINGS_AS_ERRORS="${CI:+ON}"
 say "Running the tests"
 cd "$root"
