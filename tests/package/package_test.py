@@ -298,6 +298,17 @@ class Running(unittest.TestCase):
             with self.assertRaisesRegex(AssertionError, "nothing_like_this: cannot be read"):
                 run(fyd, "scene", "explain", "nothing_like_this", cwd=folder)
 
+    def test_the_coders_of_pictures_stand_where_the_programs_look_for_them(self):
+        """Other programs' starts load none of them, so only a session tells."""
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("fyd", "libfyd0"):
+                shutil.copytree(ALL[name].root, folder, symlinks=True, dirs_exist_ok=True)
+            environment = os.environ | {"XDG_DATA_HOME": folder}
+            run(Path(folder) / PROGRAMS["fyd"], "station", "--simulate", "--robot", "none", "--duration", "1", env=environment)
+            shutil.rmtree(next(Path(folder).glob("usr/lib/*/fyd")))
+            with self.assertRaisesRegex(AssertionError, "coders of pictures and videos cannot be loaded"):
+                run(Path(folder) / PROGRAMS["fyd"], "station", "--simulate", "--robot", "none", "--duration", "1", env=environment)
+
 
 class Lintian(unittest.TestCase):
     def test_no_errors_and_no_warnings(self):
