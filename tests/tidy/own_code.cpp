@@ -26,7 +26,9 @@ class OwnCode : public tidy::ClangTidyCheck {
 
 class OwnCodeModule : public tidy::ClangTidyModule {
  public:
-  void addCheckFactories(tidy::ClangTidyCheckFactories& checks) override { checks.registerCheck<OwnCode>("fyd-own-code"); }
+  void addCheckFactories(tidy::ClangTidyCheckFactories& checks) override {
+    checks.registerCheck<OwnCode>("fyd-own-code");
+  }
 };
 
 const tidy::ClangTidyModuleRegistry::Add<OwnCodeModule> kModule("fyd", "The checks look at our declarations only");
