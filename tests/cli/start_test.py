@@ -26,13 +26,20 @@ class Start(unittest.TestCase):
 
     def test_without_coders_a_session_is_refused_and_the_rest_works(self):
         with tempfile.TemporaryDirectory() as folder:
-            alone = shutil.copy(FYD, folder)
-            bare = {"cwd": folder, "capture_output": True, "text": True, "timeout": 60}
-            self.assertEqual(subprocess.run([alone, "params", "control.kp"], **bare).returncode, 0)
-            refused = subprocess.run([alone, "station", "--simulate", "--robot", "none", "--duration", "1"], **bare)
-            self.assertNotEqual(refused.returncode, 0)
-            self.assertIn("codecs.so", refused.stderr)
-            self.assertIn("cannot be loaded", refused.stderr)
+            # A stranger's library stands in the working folder and in the one above the program's.
+            coders = next(pathlib.Path(FYD).parents[1].glob("lib/**/fyd/codecs.so"))
+            strangers = pathlib.Path(folder) / coders.relative_to(pathlib.Path(FYD).parents[1])
+            strangers.parent.mkdir(parents=True)
+            shutil.copy(coders, strangers)
+            for place in ("elsewhere", "elsewhere/bin"):
+                os.makedirs(f"{folder}/{place}", exist_ok=True)
+                alone = shutil.copy(FYD, f"{folder}/{place}")
+                bare = {"cwd": folder, "capture_output": True, "text": True, "timeout": 60}
+                self.assertEqual(subprocess.run([alone, "params", "control.kp"], **bare).returncode, 0)
+                refused = subprocess.run([alone, "station", "--simulate", "--robot", "none", "--duration", "1"], **bare)
+                self.assertNotEqual(refused.returncode, 0)
+                self.assertIn("codecs.so", refused.stderr)
+                self.assertIn("cannot be loaded", refused.stderr)
 
 
 if __name__ == "__main__":

@@ -29,6 +29,7 @@ import sys
 import time
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+BUILD = SOURCE / "build" / "tidy"
 SHARE = 4  # units of a run
 FIRST = ["core", "app", "widgets", "tests"]
 FINDING = re.compile(r"^(\S[^:\n]*):\d+:\d+: (?:warning|error): .*\[([\w.,-]+)\]$", re.M)
@@ -206,13 +207,12 @@ def main():
     arguments.add_argument("--all", action="store_true")
     arguments.add_argument("--sample", type=int, default=0)
     arguments.add_argument("--budget", type=float, default=float("inf"), help="seconds of processor time until no more unit is begun")
-    arguments.add_argument("--build", type=pathlib.Path, default=SOURCE / "build" / "tidy", help="where the preset is configured")
     arguments.add_argument("-j", type=int, default=os.cpu_count())
     arguments.add_argument("--self-test", action="store_true")
     chosen = arguments.parse_args()
     if chosen.self_test:
-        return self_test(chosen.build.resolve())
-    tree = Tree(chosen.build.resolve())
+        return self_test(BUILD)
+    tree = Tree(BUILD)
     units = tree.units
     if chosen.files:
         wanted = tree.of(chosen.files)

@@ -16,9 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// FYD_CODECS, such as lib/x86_64-linux-gnu/fyd/codecs.so, below the folder of the program or library that holds this
-/// code or below one above it: so it stands in a build folder and where packages install it.
+/// FYD_CODECS, such as lib/x86_64-linux-gnu/fyd/codecs.so, beside the "bin", "lib" or (in a build folder) "python" in
+/// which the program or library with this code stands. Looked for nowhere else, and never in the working folder: nobody
+/// else's library is to be loaded.
+/// @return empty: it stands in none of these
 fs::path libraryPath() {
+  const fs::path beside = FYD_CODECS;
   Dl_info self{};
   link_map* holder = nullptr;
   const bool known =
@@ -26,8 +29,11 @@ fs::path libraryPath() {
   const bool in_program = !known || holder == nullptr || *holder->l_name == '\0';  // a program has no name there
   std::error_code problem;
   fs::path folder = fs::canonical(in_program ? "/proc/self/exe" : holder->l_name, problem).parent_path();
-  while (folder.has_relative_path() && !fs::exists(folder / FYD_CODECS, problem)) folder = folder.parent_path();
-  return folder / FYD_CODECS;
+  for (; folder.has_relative_path(); folder = folder.parent_path()) {
+    const fs::path name = folder.filename();
+    if (name == "bin" || name == *beside.begin() || name == "python") return folder.parent_path() / beside;
+  }
+  return {};
 }
 
 const OpenCvCodecs& library() {
@@ -36,12 +42,12 @@ const OpenCvCodecs& library() {
   const std::lock_guard lock(mutex);
   if (found == nullptr) {
     const std::string path = libraryPath().string();
-    void* const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const handle = path.empty() ? nullptr : dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const symbol = handle == nullptr ? nullptr : dlsym(handle, kCodecsSymbol);
     if (symbol == nullptr) {
       const char* const why = dlerror();
       CV_Error(cv::Error::StsError, fmt::format("the coders of pictures and videos cannot be loaded: {}",
-                                                why == nullptr ? path.c_str() : why));
+                                                why == nullptr ? "expected " FYD_CODECS " beside the program's folder \"bin\"" : why));
     }
     found = reinterpret_cast<CodecsFunction>(symbol)();
   }
