@@ -162,7 +162,7 @@ class Pages(unittest.TestCase):
         self.assert_no_faults(faults)
 
     def test_every_name_of_the_code_exists(self):
-        """Constants (kSilence_s), qualified names (Pipeline::step), variables of the build (FYD_REAL_TIME)."""
+        """Constants (kSilence_s), qualified names (Pipeline::step), variables of the build (FYD_UNITY)."""
         # pages_self_test.py plants names that do not exist.
         code = block_checks.sources(str(ROOT)) + "\n".join(
             path.read_text(encoding="utf-8") for name in ("CMakeLists.txt", "*.cmake", "*.py", "*.h", "*.cpp", "*.sh")

@@ -46,8 +46,9 @@ const OpenCvCodecs& library() {
     void* const symbol = handle == nullptr ? nullptr : dlsym(handle, kCodecsSymbol);
     if (symbol == nullptr) {
       const char* const why = dlerror();
-      CV_Error(cv::Error::StsError, fmt::format("the coders of pictures and videos cannot be loaded: {}",
-                                                why == nullptr ? "expected " FYD_CODECS " beside the program's folder \"bin\"" : why));
+      CV_Error(cv::Error::StsError,
+               fmt::format("the coders of pictures and videos cannot be loaded: {}",
+                           why == nullptr ? "expected " FYD_CODECS " beside the program's folder \"bin\"" : why));
     }
     found = reinterpret_cast<CodecsFunction>(symbol)();
   }
