@@ -3,7 +3,7 @@ if(CMAKE_LIBRARY_ARCHITECTURE)  # where Debian looks for libraries, below /usr/l
   set(CMAKE_INSTALL_LIBDIR "lib/${CMAKE_LIBRARY_ARCHITECTURE}")
 endif()
 include(GNUInstallDirs)
-set(FYD_CODECS_FOLDER "${CMAKE_INSTALL_LIBDIR}/fyd")  # of what core/base/codecs.cpp loads
+set(FYD_CODECS_FOLDER "${CMAKE_INSTALL_LIBDIR}/fyd")  # of what core/base/codecs/codecs.cpp loads
 include(CMakePackageConfigHelpers)
 
 # fyd_with_included(OUT HEADER…): the headers, paths below the source folder, and all of ours that they include.
