@@ -7,17 +7,17 @@ the duties that `fyd texture felt` commands.
                                   figures
   felt_peer.py sweep FOLDER FILE  reads FOLDER/plant.json and writes FILE, a sweep for `fyd texture identify`
 
-Plant, 10 steps a millisecond:
-  motor   w' = (W/T)(k u/100 - w/W - load - F(w) sgn w), F(w) = b (c + (1 - c) exp(-(w/v)^2)), stuck while |drive| < b
-  board   u = clip(clip(25 %/deg (reference - angle)) + duty), both within +-100 %
-  second  7 % weaker with 15 % more friction
-  finger  x'' = 2 z W0 (r' - x') + W0^2 (r - x), r the mean of both rollers, radius 10 mm
+The plant itself stands in felt_plant.cpp, which the build makes: $FELT_PLANT.
 """
+import ctypes
 import json
+import os
 import sys
 
 import numpy as np
 from scipy import signal
+
+PLANT = ctypes.CDLL(os.environ["FELT_PLANT"])
 
 MATERIALS = {  # wave length mm, amplitude g; rough g. Others than the program's own.
     "cork": ([(3.1, .20), (1.2, .24), (.55, .12)], .05),
@@ -76,44 +76,14 @@ def inputs():
     return out
 
 
-def plant(duty, b, f0, zeta=.3, tau=.015, free=207., second=.93, friction=1.15, sliding=.75, v_s=6., load=.04,
-          presliding=0., alive=1., slack=False, references=None, radius=10., noise=None, parts=10):
+def plant(duty, b, f0, damping=.3, friction=1.15, sliding=.75, presliding=0., alive=1., slack=False):
     """duty (samples, runs, 2) in %; b in %, f0 in Hz, one a run -> finger in g, motor angles in degrees"""
     samples, runs, _ = duty.shape
-    dt = 1e-3 / parts
-    b = np.broadcast_to(np.asarray(b, float) / 100, runs)
-    w0 = 2 * np.pi * np.broadcast_to(np.asarray(f0, float), runs)
-    stuck = np.stack([b, b * friction], 1)
-    k = np.array([1., second * alive])
-    pull = np.array([load, -load])
-    hold = np.where(k > 0, pull / np.maximum(k, 1e-9) * 100 / 25, 0.)
-    angle, speed, bent = np.zeros((runs, 2)), np.zeros((runs, 2)), np.zeros((runs, 2))
-    roller, x, v, before = angle.copy(), np.zeros(runs), np.zeros(runs), np.zeros(runs)
-    finger, angles = np.zeros((samples, runs)), np.zeros((samples, runs, 2))
-    for n in range(samples):
-        total = 0.
-        wish = hold if references is None else hold + references[n]
-        for _ in range(parts):
-            u = np.clip(np.clip(25 * (wish - angle), -100, 100) + duty[n], -100, 100)
-            drive = k * u / 100 - speed / free - pull
-            slide = stuck * (sliding + (1 - sliding) * np.exp(-(speed / v_s) ** 2))
-            if presliding:
-                reach = presliding * slide / np.maximum(stuck, 1e-12)
-                bent = np.clip(bent + dt * speed, -reach, reach)
-                speed = speed + dt * free / tau * (drive - stuck * bent / presliding)
-            else:
-                pushed = speed + dt * free / tau * drive
-                brake = dt * free / tau * np.where(speed == 0, stuck, slide)
-                speed = np.sign(pushed) * np.maximum(np.abs(pushed) - brake, 0)
-            angle = angle + dt * speed
-            roller = np.clip(roller, angle - .5, angle + .5) if slack else angle
-            r = roller.mean(1) * np.pi / 180 * radius * 1e-3
-            a = 2 * zeta * w0 * ((r - before) / dt - v) + w0 ** 2 * (r - x)
-            before = r
-            v = v + dt * a
-            x = x + dt * v
-            total = total + a
-        finger[n], angles[n] = total / parts / 9.80665, angle
+    duty, b, f0 = (np.ascontiguousarray(each, float) for each in (duty, np.broadcast_to(b, runs), np.broadcast_to(f0, runs)))
+    constants = np.array([damping, friction, sliding, presliding, alive, slack], float)
+    finger, angles = np.empty((samples, runs)), np.empty((samples, runs, 2))
+    number = ctypes.c_size_t
+    PLANT.feltPlant(constants.ctypes, number(samples), number(runs), duty.ctypes, b.ctypes, f0.ctypes, finger.ctypes, angles.ctypes)
     return finger, angles
 
 
@@ -174,7 +144,7 @@ def sweep(folder, file):
         phase = 2 * np.pi * (8 * t + (350 - 8) * t ** 2 / 16)
         x = np.round(90 * np.sin(phase) * np.minimum(1, t / .1), 4)
         experiments.append((np.column_stack([x, x]), stretch, f0, p.get("accelerometer", True)))
-    finger, angles = plant(np.stack([e[0] for e in experiments], 1), p["b"], [e[2] for e in experiments], zeta=p["zeta"],
+    finger, angles = plant(np.stack([e[0] for e in experiments], 1), p["b"], [e[2] for e in experiments], damping=p["zeta"],
                            sliding=p.get("sliding", .75))
     rows = []
     for i, (duty, stretch, _, accelerometer) in enumerate(experiments):
