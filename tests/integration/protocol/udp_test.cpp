@@ -1,6 +1,7 @@
 // UDP sockets on the loopback interface.
 #include <optional>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,6 +1,7 @@
 // The simulated robot over real sockets, against the touchpad's end of the protocol.
 #include "core/device/robot/robot_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>

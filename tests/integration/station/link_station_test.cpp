@@ -1,4 +1,5 @@
 // The station on FYD Link with the simulated robot, over real sockets.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>

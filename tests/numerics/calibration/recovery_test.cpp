@@ -3,6 +3,9 @@
 #include <numeric>
 #include <random>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "core/calibration/camera_calibration.h"
 #include "core/calibration/fit/cross_validation.h"
 #include "core/calibration/fit/least_squares.h"

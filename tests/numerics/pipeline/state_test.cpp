@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sodium/crypto_generichash.h>
 

@@ -1,4 +1,6 @@
 // The errors the project promises, over labelled pictures and over the whole cloth. Speed is `fyd bench`'s matter.
+#include <gtest/gtest.h>
+
 #include "app/bench/parts/labelled_pictures.h"
 #include "app/bench/parts/pressed_cloth.h"
 #include "core/sensing/finger_detector.h"

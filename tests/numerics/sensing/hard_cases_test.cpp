@@ -2,6 +2,8 @@
 #include <limits>
 #include <random>
 
+#include <gtest/gtest.h>
+
 #include "app/bench/parts/allocation_count.h"
 #include "app/bench/parts/labelled_pictures.h"
 #include "app/bench/parts/pressed_cloth.h"

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <random>
 
+#include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
 #include "app/bench/parts/labelled_pictures.h"

@@ -3,6 +3,9 @@
 #include <limits>
 #include <numeric>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "core/calibration/calibration_record.h"
 #include "core/calibration/camera_calibration.h"
 #include "core/calibration/encoder_calibration.h"

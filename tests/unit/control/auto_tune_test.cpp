@@ -1,6 +1,7 @@
 // Auto-tune: excitation, identification of scale, delay and lag, proposed gains, prediction of the loop.
 #include "core/control/auto_tune.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>

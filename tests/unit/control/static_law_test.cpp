@@ -1,6 +1,7 @@
 // The static law from stretch to stiffness: interpolation, inverse, domain, the forms of the thesis.
 #include "core/control/static_law.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -1,4 +1,7 @@
 // Touches found in synthetic telemetry: bounds, interruptions, peaks, settling.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "core/export/touches.h"
 
 #include "tests/unit/recording/fake_recording.h"

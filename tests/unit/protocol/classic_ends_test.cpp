@@ -1,4 +1,5 @@
 // Both ends of a classic session in virtual time, without sockets.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

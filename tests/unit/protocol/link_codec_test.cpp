@@ -1,4 +1,5 @@
 // FYD Link's messages: every field at its limits and beyond, every truncation, and the published bytes.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "core/protocol/link/link_robot_end.h"
 #include "core/protocol/link/link_touchpad_end.h"
 

@@ -1,10 +1,10 @@
 // Keys, handshake and sealed channel: the published bytes, and attacks on them.
-#include <gtest/gtest.h>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <cstdlib>
 #include <set>
-
-#include <sys/stat.h>
 
 #include "app/bench/parts/allocation_count.h"
 #include "core/protocol/link/link_key_file.h"

@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include <gtest/gtest.h>
+
 #include "core/export/touches.h"
 #include "core/recording/file/recording_place.h"
 #include "core/recording/recovery/recover.h"

@@ -3,6 +3,8 @@
 #include <limits>
 #include <random>
 
+#include <gtest/gtest.h>
+
 #include "core/sensing/cloth_plane.h"
 #include "core/sensing/ir_distance.h"
 #include "core/sensing/load_cell.h"

@@ -3,6 +3,8 @@
 #include <numbers>
 #include <random>
 
+#include <gtest/gtest.h>
+
 #include "core/sensing/dark_runs.h"
 #include "core/sensing/finger_detector.h"
 

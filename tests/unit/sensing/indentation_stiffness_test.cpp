@@ -3,6 +3,8 @@
 #include <limits>
 #include <random>
 
+#include <gtest/gtest.h>
+
 #include "app/bench/parts/pressed_cloth.h"
 #include "core/sensing/indentation.h"
 #include "core/sensing/stiffness_estimator.h"

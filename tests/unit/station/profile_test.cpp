@@ -1,15 +1,15 @@
 // Profile files: round trip, atomic saving, refusal of incomplete or huge files.
 #include "core/station/profile/profile.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/station/station.h"
 
