@@ -75,7 +75,7 @@ void press(const PressedClothOptions& options, const sensing::IndentationParamet
   }
 }
 
-struct Scene {
+struct Setup {
   sim::ClothKind cloth;
   sim::FingerKind finger;
   double radius_mm;  // of the ideal cloth's disc
@@ -83,8 +83,8 @@ struct Scene {
   std::string name;
 };
 
-std::vector<Scene> scenes() {
-  std::vector<Scene> out;
+std::vector<Setup> setups() {
+  std::vector<Setup> out;
   for (const sim::ClothKind cloth : benchCloths()) {
     const std::string name(sim::kClothNames[static_cast<std::size_t>(cloth)]);
     if (cloth == sim::ClothKind::ideal) {
@@ -105,26 +105,26 @@ std::vector<Scene> scenes() {
   return out;
 }
 
-sensing::IndentationParameters parametersOf(const Method& method, const Scene& scene) {
+sensing::IndentationParameters parametersOf(const Method& method, const Setup& setup) {
   sensing::IndentationParameters parameters;
   if (method.calibrated) {
-    parameters = calibratedOn({.cloth = scene.cloth, .finger = scene.finger}).sensing.indentation;
-  } else if (scene.cloth == sim::ClothKind::ideal) {
+    parameters = calibratedOn({.cloth = setup.cloth, .finger = setup.finger}).sensing.indentation;
+  } else if (setup.cloth == sim::ClothKind::ideal) {
     parameters.camera_height_mm = 10'000;   // the ideal cloth is seen without perspective …
     parameters.contact_radius_share = 1.0;  // … and pressed by a flat disc
   }
   parameters.mode = method.mode;
-  parameters.ir_noise_mV = scene.noise_mV;
+  parameters.ir_noise_mV = setup.noise_mV;
   return parameters;
 }
 
-Score wholeCloth(const Method& method, const Scene& scene) {
+Score wholeCloth(const Method& method, const Setup& setup) {
   Score score;
-  const sensing::IndentationParameters parameters = parametersOf(method, scene);
-  const bool ideal = scene.cloth == sim::ClothKind::ideal;
+  const sensing::IndentationParameters parameters = parametersOf(method, setup);
+  const bool ideal = setup.cloth == sim::ClothKind::ideal;
   // Half sides of the area in which the finger presses 8 mm deep clear of the frame, and which its table covers.
-  const double width_mm = !ideal && scene.finger == sim::FingerKind::disc ? 38 : 41.5;
-  const double depth_mm = ideal || scene.finger == sim::FingerKind::sphere ? 27 : 18;
+  const double width_mm = !ideal && setup.finger == sim::FingerKind::disc ? 38 : 41.5;
+  const double depth_mm = ideal || setup.finger == sim::FingerKind::sphere ? 27 : 18;
   std::uint64_t seed = 1;
   const int every = wholeOrQuick(1, 4);
   for (int i = -4; i <= 4; i += every) {
@@ -133,10 +133,10 @@ Score wholeCloth(const Method& method, const Scene& scene) {
         press({.x_mm = width_mm * i / 4,
                .y_mm = depth_mm * j / 3,
                .depth_mm = depth,
-               .cloth = scene.cloth,
-               .finger = scene.finger,
-               .finger_radius_mm = scene.radius_mm,
-               .ir_noise_mV = scene.noise_mV,
+               .cloth = setup.cloth,
+               .finger = setup.finger,
+               .finger_radius_mm = setup.radius_mm,
+               .ir_noise_mV = setup.noise_mV,
                .seed = ++seed},
               parameters, method.with_force, std::abs(i) == 4 && std::abs(j) == 3, score);
       }
@@ -162,16 +162,16 @@ Table bench_indentation() {
                           "within 15 %",
                           {"step p50", "ns", Role::cost},
                           {"step p99", "ns"}}};
-  for (const Scene& scene : wholeOrFirst(scenes(), 1)) {
+  for (const Setup& setup : wholeOrFirst(setups(), 1)) {
     double thesis = 0.0;
     for (const Method& method : kMethods) {
-      if (method.calibrated && scene.cloth == sim::ClothKind::ideal) continue;
-      Score s = wholeCloth(method, scene);
+      if (method.calibrated && setup.cloth == sim::ClothKind::ideal) continue;
+      Score s = wholeCloth(method, setup);
       const double rms = std::sqrt(s.squares / s.samples);
       if (method.mode == sensing::IndentationMode::thesis) thesis = rms;
       const Quantiles t = quantiles(s.ns);
       table.rows.push_back(
-          {method.name, scene.name, number(scene.noise_mV), number(rms), number(rms / thesis), number(s.worst),
+          {method.name, setup.name, number(setup.noise_mV), number(rms), number(rms / thesis), number(s.worst),
            number(std::sqrt(s.corner_squares / s.corner_samples)), number(std::sqrt(s.sigma_squares / s.samples)),
            number(100 * std::sqrt(s.stiffness_squares / s.stiffness_samples)),
            fmt::format("{:.0f} %", 100.0 * s.stiffness_near / s.stiffness_samples), number(t.p50), number(t.p99)});

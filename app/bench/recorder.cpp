@@ -77,8 +77,6 @@ Session runStation(const std::string& path) {
   return out;
 }
 
-const std::string kNothing = "—";
-
 }  // namespace
 
 Table bench_recorder() {

@@ -10,7 +10,7 @@
 namespace fyd::bench {
 namespace {
 
-double session_s() { return wholeOrQuick(60.0, 5.0); }
+double replayedSession_s() { return wholeOrQuick(60.0, 5.0); }
 constexpr std::size_t kAtOnce = 2000;  // steps; the recorder's ring takes more
 
 /// @return the inputs, for the baseline
@@ -22,7 +22,7 @@ std::vector<pipeline::Inputs> record(const std::string& path) {
   recording::Recorder recorder({}, {}, {}, {}, {.profile = profile, .link = {}});
   recorder.start();
   std::vector<pipeline::Inputs> inputs;
-  simulateSession(session_s(), [&](const recording::StepView& step) {
+  simulateSession(replayedSession_s(), [&](const recording::StepView& step) {
     recorder.push(step);
     inputs.push_back(step.inputs);
     if (inputs.size() % kAtOnce != 0) return;
@@ -37,7 +37,7 @@ double bareStep_x(const std::vector<pipeline::Inputs>& inputs) {
   pipeline::Pipeline step({});
   const Instant start = Clock::now();
   for (const pipeline::Inputs& in : inputs) (void)step.step(in);
-  return session_s() / toSeconds(Clock::now() - start);
+  return replayedSession_s() / toSeconds(Clock::now() - start);
 }
 
 std::vector<std::string> row(const std::string& name, const Result<replay::ReplayResult>& result, double baseline_x) {
@@ -69,7 +69,7 @@ Table bench_replay() {
               .notes = {fmt::format(
                   "{:g} s of the demonstration gesture with one acceleration a step; the file is read from the "
                   "system's cache. With another gain the steps differ, as they should.",
-                  session_s())}};
+                  replayedSession_s())}};
   auto recording = recording::Recording::open(path);
   if (!recording) {
     table.rows.push_back({recording.error().text(), "—", "—", "—", "—", "—"});

@@ -10,7 +10,7 @@
 namespace fyd::bench {
 namespace {
 
-double session_s() { return wholeOrQuick(16.0, 6.0); }
+double steppedSession_s() { return wholeOrQuick(16.0, 6.0); }
 constexpr double kSettle_s = 1.0;
 
 pipeline::Parameters thesisModes() {
@@ -52,7 +52,7 @@ Run measure(const pipeline::Parameters& parameters) {
   options.finger = sim::FingerPath::demonstration();
   sim::Lockstep session(options);
   std::vector<pipeline::Inputs> inputs;
-  inputs.reserve(static_cast<std::size_t>(session_s() * 1000));
+  inputs.reserve(static_cast<std::size_t>(steppedSession_s() * 1000));
   session.spoil = [&inputs](pipeline::Inputs& in) {
     const double phase = 0.7 * static_cast<double>(inputs.size());
     (void)in.robot.accelerations.push(
@@ -62,7 +62,7 @@ Run measure(const pipeline::Parameters& parameters) {
   Run run;
   session.run(0.3);
   (void)session.next.commands.push({.action = pipeline::OperatorAction::arm});
-  session.run(session_s() - 0.3, [&](const pipeline::Outputs& outputs) {
+  session.run(steppedSession_s() - 0.3, [&](const pipeline::Outputs& outputs) {
     const sim::WorldSnapshot truth = session.world().truth();
     if (session.time_s() < kSettle_s || !outputs.telemetry.contact || truth.finger.lifted) return;
     run.indentation_mm.add(outputs.telemetry.indentation_mm - truth.finger.indentation_mm);
@@ -112,7 +112,7 @@ Table bench_step() {
               "The demonstration gesture, {:g} s, one acceleration per step; inputs are collected from the simulated "
               "touchpad first and the step alone is timed on them. Errors are against the simulation's truth while the "
               "cloth is touched, the stiffness error between the cloth's true stiffness and the target.",
-              session_s())}};
+              steppedSession_s())}};
 }
 
 }  // namespace fyd::bench

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWall_N_per_m = 500.0;
 
-std::vector<teleop::Trace> hands() {
+std::vector<teleop::Trace> handTraces() {
   const std::filesystem::path data = benchOptions().data.empty() ? "tests/data" : benchOptions().data;
   std::vector<std::filesystem::path> files;
   for (const char* folder : {"teleop_1dof", "hand_motion"}) {
@@ -55,7 +55,7 @@ Table bench_table2() {
                           {"packets", "1/s"}},
               .rows = {},
               .notes = {}};
-  const std::vector<teleop::Trace> traces = hands();
+  const std::vector<teleop::Trace> traces = handTraces();
   for (const std::string& network : wholeOrFirst(std::vector<std::string>{"lan", "isdn", "adsl"}, 1)) {
     for (const double period_ms : wholeOrFirst(std::vector<double>{10.0, 100.0, 250.0, 500.0}, 1)) {
       for (const std::string_view name : teleop::kPredictorNames) {

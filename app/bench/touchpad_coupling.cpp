@@ -18,25 +18,25 @@ using teleop::TouchpadCouplingChoice;
 constexpr double kSoft_N_per_mm = 0.60, kStiff_N_per_mm = 0.80;  // both within the cloth's range
 constexpr double kDepth_mm = 6.0, kReach_mm = 15.0, kStroke_s = 0.2;
 constexpr double kPress_s = 1.5, kChange_s = 3.0, kLift_s = 5.0, kAgain_s = 6.0, kEnd_s = 8.0;
-constexpr double kJitter_s = 0.010, kLoss = 0.2;
+constexpr double kLinkJitter_s = 0.010, kLoss = 0.2;
 constexpr int kTellEvery = 10;  // ms
 
 /// How the touched object changes while the finger presses it.
-enum class Case { stays, stiffens, softens, slides };
+enum class WallKind { stays, stiffens, softens, slides };
 
-double wall(Case what, double t_s, double x_mm) {
+double wall(WallKind what, double t_s, double x_mm) {
   switch (what) {
-    case Case::stays: return kStiff_N_per_mm;
-    case Case::stiffens: return t_s < kChange_s ? kSoft_N_per_mm : kStiff_N_per_mm;
-    case Case::softens: return t_s < kChange_s ? kStiff_N_per_mm : kSoft_N_per_mm;
-    case Case::slides: return x_mm < 0.0 ? kSoft_N_per_mm : kStiff_N_per_mm;
+    case WallKind::stays: return kStiff_N_per_mm;
+    case WallKind::stiffens: return t_s < kChange_s ? kSoft_N_per_mm : kStiff_N_per_mm;
+    case WallKind::softens: return t_s < kChange_s ? kStiff_N_per_mm : kSoft_N_per_mm;
+    case WallKind::slides: return x_mm < 0.0 ? kSoft_N_per_mm : kStiff_N_per_mm;
   }
   return 0.0;
 }
 
 /// Two presses of 6 mm; during the first one the finger may slide at 50 mm/s across x = 0 at kChange_s.
-sim::FingerPath pressTwice(Case what) {
-  const double from_mm = what == Case::slides ? -kReach_mm : 0.0, to_mm = -from_mm, slide_s = kReach_mm / 50.0;
+sim::FingerPath pressTwice(WallKind what) {
+  const double from_mm = what == WallKind::slides ? -kReach_mm : 0.0, to_mm = -from_mm, slide_s = kReach_mm / 50.0;
   const auto at = [](double t, double x, double depth) {
     return sim::FingerPath::Knot{t, {.x_mm = x, .y_mm = 0.0, .indentation_mm = depth, .lifted = depth <= 0.0}};
   };
@@ -56,7 +56,7 @@ struct Figures {
   double second_off_percent = 0.0;  // mean distance of the second press from what the robot touches
 };
 
-Figures press(TouchpadCouplingChoice coupling, Case what, double delay_s, std::uint64_t seed) {
+Figures press(TouchpadCouplingChoice coupling, WallKind what, double delay_s, std::uint64_t seed) {
   sim::LockstepOptions options;
   options.parameters.step.coupling = coupling;
   options.parameters.step.absolute_motion = true;  // the robot is where the finger is
@@ -80,7 +80,7 @@ Figures press(TouchpadCouplingChoice coupling, Case what, double delay_s, std::u
   double energy_mJ = 0.0, last_mm = 0.0, last_N = 0.0, off = 0.0;
   int in_second = 0;
   bool before = false;
-  const bool stiffer = what != Case::softens;
+  const bool stiffer = what != WallKind::softens;
   constexpr double kHalf = 0.5 * (kSoft_N_per_mm + kStiff_N_per_mm);
   const auto late = static_cast<std::size_t>(std::lround(1e3 * delay_s));
   for (int i = 0; i < static_cast<int>(1e3 * kEnd_s); ++i) {
@@ -92,7 +92,7 @@ Figures press(TouchpadCouplingChoice coupling, Case what, double delay_s, std::u
     if (i % kTellEvery == 0) {
       const Vec3 tool_mm = touches.front();
       const double k = wall(what, t_s, tool_mm.x);
-      const double due_s = t_s + delay_s + kJitter_s * uniform(random);
+      const double due_s = t_s + delay_s + kLinkJitter_s * uniform(random);
       // In order, as both protocols deliver them.
       if (uniform(random) >= kLoss && (states.empty() || due_s >= states.back().due_s)) {
         states.push_back(
@@ -115,7 +115,7 @@ Figures press(TouchpadCouplingChoice coupling, Case what, double delay_s, std::u
     const double k = truth.stiffness_N_per_mm;
     const bool felt = stiffer ? k > kHalf : k < kHalf;
     if (t_s <= kChange_s) before = felt;
-    if (what != Case::stays && !before && std::isnan(out.felt_s) && t_s > kChange_s && t_s < kLift_s && felt) {
+    if (what != WallKind::stays && !before && std::isnan(out.felt_s) && t_s > kChange_s && t_s < kLift_s && felt) {
       out.felt_s = t_s - kChange_s;
     }
     if (t_s > kAgain_s + kStroke_s) {
@@ -146,9 +146,9 @@ Table bench_touchpad_coupling() {
   for (const auto choice : {TouchpadCouplingChoice::direct, TouchpadCouplingChoice::spring,
                             TouchpadCouplingChoice::tdpa, TouchpadCouplingChoice::model}) {
     for (const int delay_ms : wholeOrFirst(std::vector<int>{0, 50, 200}, 1)) {
-      const auto run = [&](Case what) { return press(choice, what, 1e-3 * delay_ms, benchOptions().seed); };
-      const Figures stays = run(Case::stays), stiffens = run(Case::stiffens), softens = run(Case::softens),
-                    slides = run(Case::slides);
+      const auto run = [&](WallKind what) { return press(choice, what, 1e-3 * delay_ms, benchOptions().seed); };
+      const Figures stays = run(WallKind::stays), stiffens = run(WallKind::stiffens), softens = run(WallKind::softens),
+                    slides = run(WallKind::slides);
       const auto felt = [](const Figures& f) { return number(1e3 * f.felt_s); };
       table.rows.push_back({std::string(teleop::kTouchpadCouplingNames[static_cast<std::size_t>(choice)]) +
                                 (choice == TouchpadCouplingChoice::direct ? " (baseline)" : ""),

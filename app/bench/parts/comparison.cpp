@@ -12,8 +12,6 @@
 namespace fyd::bench {
 namespace {
 
-constexpr const char* kNothing = "—";
-
 struct Entry {
   std::string group;
   std::string method;

@@ -11,7 +11,7 @@ namespace {
 
 using namespace teleop;
 
-constexpr double kStep_s = 0.001;
+constexpr double kRunStep_s = 0.001;
 constexpr int kParts = 10;         // of a step, for the mechanics
 constexpr int kMessageEvery = 10;  // steps
 constexpr double kWall_m = 0.050, kDepth_m = 0.020, kWiggle_m = 0.030;
@@ -83,9 +83,9 @@ CouplingFigures simulate(const CouplingRun& run, CouplingChoice choice, std::vec
   double lowest = 1e9, highest = -1e9, felt_N = 0.0, felt_m = 0.0;
   int felt = 0;
   CouplingFigures out;
-  const int steps = static_cast<int>(std::lround(kEnd / kStep_s));
+  const int steps = static_cast<int>(std::lround(kEnd / kRunStep_s));
   for (int i = 0; i < steps; ++i) {
-    const double t = i * kStep_s;
+    const double t = i * kRunStep_s;
     there.deliver(t, *far_end);
     back.deliver(t, *hand_end);
     const double hand_N = hand_end->step({.time_s = t, .position_m = hand_m, .velocity_m_per_s = hand_v});
@@ -98,14 +98,14 @@ CouplingFigures simulate(const CouplingRun& run, CouplingChoice choice, std::vec
       back.send(t, far_end->message());
     }
     if (rows) rows->push_back({t, hand_m, hand_v, hand_N, far_m, wall_N});
-    energy_J += hand_N * hand_v * kStep_s;
+    energy_J += hand_N * hand_v * kRunStep_s;
     out.least_energy_J = std::min(out.least_energy_J, energy_J);
     if (t < kFree) out.drag_N = std::max(out.drag_N, std::abs(hand_N));
     if (t >= kRelease - 1.0 && t < kRelease) {
       lowest = std::min(lowest, hand_m);
       highest = std::max(highest, hand_m);
     }
-    if (i == static_cast<int>(std::lround((kSecond - 0.01) / kStep_s))) {
+    if (i == static_cast<int>(std::lround((kSecond - 0.01) / kRunStep_s))) {
       out.rest_difference_mm = 1e3 * std::abs(hand_m - far_m);
     }
     if (t >= kEnd - 0.5) {
@@ -114,7 +114,7 @@ CouplingFigures simulate(const CouplingRun& run, CouplingChoice choice, std::vec
       ++felt;
     }
     for (int part = 0; part < kParts; ++part) {
-      const double dt = kStep_s / kParts, now = t + part * dt;
+      const double dt = kRunStep_s / kParts, now = t + part * dt;
       const double want_m = wanted(now), want_v = (wanted(now + 1e-5) - wanted(now - 1e-5)) / 2e-5;
       const double arm_N = run.hand_N_per_m * (want_m - hand_m) + run.hand_N_s_per_m * (want_v - hand_v);
       hand_v += dt * (arm_N - hand_N) / run.hand_kg;

@@ -18,7 +18,6 @@ namespace {
 
 using namespace scene;
 
-
 HardCase bladesNearlyParallel() {
   // Along `forth` they cross 1 mm apart at 300 mm: aside = 2e-6·x − 6e-4. The three are perpendicular and of length 1.
   const Vec3 forth{0.6, 0.64, 0.48}, aside{0.8, -0.48, -0.36}, up{0.0, 0.6, -0.8};

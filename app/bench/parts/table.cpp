@@ -9,8 +9,6 @@
 namespace fyd::bench {
 namespace {
 
-constexpr std::string_view kNothing = "—";
-
 std::vector<std::string> headings(const Table& table) {
   std::vector<std::string> out;
   out.reserve(table.columns.size());
@@ -112,7 +110,7 @@ nlohmann::ordered_json toJson(const Table& table) {
 }
 
 std::string number(double value, int digits) {
-  if (!std::isfinite(value)) return std::string(kNothing);
+  if (!std::isfinite(value)) return kNothing;
   constexpr double kLeastWithExponent = 1e6;  // thousands are read more easily in full
   const double size = std::abs(value);
   if (size < std::pow(10.0, digits) || size >= kLeastWithExponent) return fmt::format("{:.{}g}", value, digits);

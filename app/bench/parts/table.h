@@ -39,6 +39,9 @@ struct Column {
   Role role;
 };
 
+/// A cell without a figure.
+inline const std::string kNothing = "—";
+
 struct Table {
   std::string subject;  ///< file name stem
   std::string title;
