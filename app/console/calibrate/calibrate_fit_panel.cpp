@@ -96,13 +96,16 @@ CalibrationFitPanel::CalibrationFitPanel(QWidget* parent)
   conditions_->setObjectName(QStringLiteral("calibration_conditions"));
   conditions_->setAccessibleName(tr("Conditions: light, temperature, target"));
   conditions_->setPlaceholderText(tr("light, temperature, target"));
+  auto* name = new QHBoxLayout;
+  name->setSpacing(kGrid);
+  name->addWidget(who_, 1);
+  name->addWidget(offered_);
   auto* record = new QGridLayout;
   record->setSpacing(kGrid);
   record->addWidget(new QLabel(tr("Who"), this), 0, 0);
-  record->addWidget(who_, 0, 1);
-  record->addWidget(offered_, 0, 2);
+  record->addLayout(name, 0, 1);
   record->addWidget(new QLabel(tr("Conditions"), this), 1, 0);
-  record->addWidget(conditions_, 1, 1, 1, 2);
+  record->addWidget(conditions_, 1, 1);
   // In a low window the texts scroll, and the plot keeps a readable height.
   auto* said = new QWidget(this);
   auto* lines = new QVBoxLayout(said);

@@ -152,9 +152,10 @@ void LinkRobotEnd::nextCommand() {
 }
 
 void LinkRobotEnd::sendCommand() {
-  if (outstanding_ == RobotCommand::none && !commands_.empty()) nextCommand();
+  const bool is_new = outstanding_ == RobotCommand::none && !commands_.empty();
+  if (is_new) nextCommand();
   if (outstanding_ == RobotCommand::none || now_us_ < next_command_us_) return;
-  if (next_command_us_ != now_us_) ++link_counters_.command_repeats;
+  if (!is_new) ++link_counters_.command_repeats;
   const auto round_trip_us = static_cast<LinkTime>(connection_->clock().newestRoundTrip_us());
   next_command_us_ = now_us_ + std::max(kShortestCommandRetry_us, 2 * round_trip_us);
   outbox_.seal(connection_->sealer(), touchpad_, [&](auto out) {

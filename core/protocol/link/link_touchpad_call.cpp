@@ -24,7 +24,8 @@ void LinkTouchpadEnd::takeHello(Bytes datagram, const Endpoint& from) {
 }
 
 bool LinkTouchpadEnd::seenBefore(const PublicKey& caller) const {
-  return std::ranges::find(callers_, caller) != callers_.end();
+  const auto seen = std::span(callers_).first(std::min(next_caller_, callers_.size()));
+  return std::ranges::find(seen, caller) != seen.end();
 }
 
 bool LinkTouchpadEnd::mayTakeOver(const Endpoint& from) const {

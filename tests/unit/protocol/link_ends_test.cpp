@@ -114,6 +114,18 @@ TEST(LinkEnds, CommandsAreTakenOnceAndInOrderThoughHalfIsLost) {
   EXPECT_GT(pair.touchpad.counters().repeated_commands, 0U);
 }
 
+TEST(LinkEnds, EachRepeatOfACommandIsCountedAndTheFirstIsNone) {
+  LinkPair pair;
+  ASSERT_TRUE(pair.connect());
+  ASSERT_TRUE(pair.robot.command(RobotCommand::use_soc));
+  ASSERT_TRUE(pair.runUntil([&] { return pair.robot.linkCounters().commands == 1; }, 1.0));
+  EXPECT_EQ(pair.robot.linkCounters().command_repeats, 0U);
+  pair.cut = true;
+  ASSERT_TRUE(pair.robot.command(RobotCommand::use_dft321));
+  for (int ms = 0; ms < 200; ++ms) pair.step();
+  EXPECT_GE(pair.robot.linkCounters().command_repeats, 3U);  // each exactly when it is due, for a step is 1 ms
+}
+
 TEST(LinkEnds, PauseIsNegotiatedBringsTheInfoAndIsNoLoss) {
   LinkPair pair;
   ASSERT_TRUE(pair.connect());

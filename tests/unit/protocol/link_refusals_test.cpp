@@ -233,21 +233,23 @@ TEST_F(TouchpadAgainstHands, ACallWithAWrongKeyOrSelfDescriptionOpensNothing) {
   expectRefused(call(unprintable), LinkRefusal::field, "a bell in the text");
   expectRefused(call(unknown_capability), LinkRefusal::field, "capability 16");
   expectRefused([&] { return robot.call(good, testKey(1)); }, LinkRefusal::key, "another key, with a good cookie");
-  // A public key for which every shared secret is zero (the point 1), sealed by one who has the key.
-  expectRefused(
-      [&] {
-        Packet out(kMaximumLinkDatagram);
-        out[0] = 0xFD;
-        out[1] = 0x13;
-        const Cookie cookie = robot.cookie();
-        std::ranges::copy(cookie, out.begin() + 2);
-        EphemeralKey one;
-        one.open[0] = 1;
-        NoiseHandshake noise(testKey().handshakeKey(), Bytes(out).first(kCallHeader));
-        out.resize(kCallHeader + noise.writeFirst(one, good, std::span(out).subspan(kCallHeader)));
-        return robot.give(out);
-      },
-      LinkRefusal::key, "an unsound public key");
+  // Public keys for which every shared secret is zero (the points 0 and 1), sealed by one who has the key.
+  for (std::uint8_t point = 0; point <= 1; ++point) {
+    expectRefused(
+        [&] {
+          Packet out(kMaximumLinkDatagram);
+          out[0] = 0xFD;
+          out[1] = 0x13;
+          const Cookie cookie = robot.cookie();
+          std::ranges::copy(cookie, out.begin() + 2);
+          EphemeralKey unsound;
+          unsound.open[0] = point;
+          NoiseHandshake noise(testKey().handshakeKey(), Bytes(out).first(kCallHeader));
+          out.resize(kCallHeader + noise.writeFirst(unsound, good, std::span(out).subspan(kCallHeader)));
+          return robot.give(out);
+        },
+        LinkRefusal::key, "an unsound public key");
+  }
   EXPECT_EQ(touchpad.phase(), pipeline::LinkPhase::waiting) << "no session";
   EXPECT_FALSE(touchpad.peer());
 }
