@@ -7,6 +7,9 @@ target_compile_options(fyd_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion
 # A recording must replay bit for bit: no contraction that depends on the surrounding code.
 target_compile_options(fyd_flags INTERFACE -ffp-contract=off)
 target_compile_definitions(fyd_flags INTERFACE FYD_VERSION="${PROJECT_VERSION}")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # it would begin at 128 MB to look for memory that it could use again
+  target_compile_options(fyd_flags INTERFACE --param=ggc-min-heapsize=524288)
+endif()
 if(FYD_WARNINGS_AS_ERRORS)
   target_compile_options(fyd_flags INTERFACE -Werror)
 endif()

@@ -222,6 +222,14 @@ class Identify(fyd.Case):
             self.assertIn("sweep.csv", done.stderr)  # no accelerations in there, but the plant was taken
             self.assertNotIn("found.toml", done.stderr)
 
+    def test_a_key_of_the_base_that_means_nothing_is_named(self):
+        self.sweep()
+        with open(self.path("base.toml"), "w", encoding="utf-8") as file:
+            file.write("free_speed_deg_s = 207\nfree_spede_deg_s = 1\n")
+        done = fyd.run("texture", "identify", self.path("sweep.csv"), "-o", self.path("found.toml"), "--base", self.path("base.toml"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("free_spede_deg_s: not known", done.stderr)
+
     def test_a_profile_takes_it(self):
         self.sweep()
         done = self.json("calibrate", "texture", self.path("sweep.csv"), "--profile", self.path("lab.toml"), "--json")

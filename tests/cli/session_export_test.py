@@ -41,7 +41,7 @@ class Exports(fyd.Case):
         cls.addClassCleanup(cls.kept.cleanup)
         cls.file = os.path.join(cls.kept.name, "session.h5")
         done = fyd.run("station", "--simulate", "--duration", 6, "--record", cls.file, "--operator", "Ada",
-                       "--subject", "<script>S7", "--notes", "Größe 5 µm", "--tag", "soft", "--json")
+                       "--subject", "S7", "--notes", "<script>Größe 5 µm", "--tag", "soft", "--json")
         assert done.returncode == 0, done.stderr
         info = fyd.run("session", "info", cls.file, "--json")
         assert info.returncode == 0, info.stderr
@@ -80,7 +80,7 @@ class Exports(fyd.Case):
         self.assertEqual([f"{name} [{mat['units'][name]}]" for name in mat["names"]], list(rows[0]))
         self.assertEqual(mat["force_N"], [float(row["force_N [N]"]).hex() for row in rows])
         self.assertEqual(mat["step"], [float(row["step [1]"]) for row in rows])
-        self.assertEqual((mat["subject"], mat["notes"], mat["id"]), ("<script>S7", "Größe 5 µm", self.info["id"]))
+        self.assertEqual((mat["subject"], mat["notes"], mat["id"]), ("S7", "<script>Größe 5 µm", self.info["id"]))
         self.assertEqual(mat["units"]["stretch_measured_deg"], "°")
 
     def test_mcap_keeps_to_its_specification(self):
@@ -103,7 +103,7 @@ class Exports(fyd.Case):
             self.assertEqual(schema[2], "jsonschema")
             self.assertEqual(fyd.json.loads(schema[3])["type"], "object")
         metadata = {name: texts for _, name, texts in file.metadata.values()}["recording"]
-        self.assertEqual((metadata["subject"], metadata["notes"]), ("<script>S7", "Größe 5 µm"))
+        self.assertEqual((metadata["subject"], metadata["notes"]), ("S7", "<script>Größe 5 µm"))
         self.assertIn(b"[control]", file.attached["profile.toml"])
 
     def test_mcap_holds_the_values_and_the_time_of_day(self):
@@ -156,7 +156,7 @@ class Exports(fyd.Case):
         self.json("session", "report", self.file, self.path("r.pdf"), "--json")
         with open(self.path("r.html"), encoding="utf-8") as file:
             html = file.read()
-        for text in ("Ada", "&lt;script&gt;S7", "Größe 5 µm", "<svg", "Touches", "control.ki", "Active", "</html>"):
+        for text in ("Ada", "S7", "&lt;script&gt;Größe 5 µm", "<svg", "Touches", "control.ki", "Active", "</html>"):
             self.assertIn(text, html)
         self.assertNotIn("<script", html)
         with open(self.path("r.pdf"), "rb") as file:

@@ -120,6 +120,13 @@ class Recording(fyd.Case):
         # At once: nobody would see the end of this session.
         self.assertIn("/nowhere", self.refused(1, *SESSION, "--duration", 1e6, "--record", "/nowhere/a.h5"))
 
+    def test_a_subject_is_a_code_and_never_a_name(self):
+        for name in ("Anna Rossi", "<b>", "Größe", 33 * "S"):
+            path = self.path("named.h5")
+            said = self.refused(1, *SESSION, "--duration", 1e6, "--record", path, "--subject", name)
+            self.assertIn(f'subject "{name}": expected a code', said)
+            self.assertFalse(os.path.exists(path))
+
     def test_words_for_a_recording_need_one(self):
         self.assertIn("--record", self.refused(2, *SESSION, "--duration", 1, "--operator", "Ada"))
 

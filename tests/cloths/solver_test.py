@@ -47,7 +47,7 @@ def laplace_disc(radius, tension):
     return 4 * tension * (dx.sum() + dy.sum())
 
 
-# The four points of the thesis, by a mesh of its own: E·h and the stretches stand in the project's issue, not in this code.
+# The four points of the thesis, by a mesh of its own.
 for stretch, stiffness in ((1.310, 0.501), (1.337, 0.550), (1.402, 0.673), (1.423, 0.715)):
     pressed = solve(Finger("sphere", 8.0), (0, 0), 3.0, stretch)
     check(f"stiffness at pre-stretch {stretch}", pressed.force / 3.0, stiffness, 0.003 * stiffness)

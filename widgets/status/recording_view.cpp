@@ -1,10 +1,10 @@
 #include "widgets/status/recording_view.h"
 
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
+#include "core/recording/writer/recorder_types.h"
 #include "widgets/basics/number_text.h"
 #include "widgets/basics/words.h"
 
@@ -14,7 +14,7 @@ namespace {
 using Field = EntryProblem::Field;
 
 constexpr int kLongestName = 80;
-constexpr int kLongestCode = 32;
+constexpr int kLongestTag = 32;
 constexpr int kMostTags = 16;
 constexpr int kLongestNotes = 2000;
 
@@ -41,18 +41,17 @@ EntryProblem checkEntries(const RecordingEntries& entries) {
   if (who.size() > kLongestName || hasControlCharacter(who)) {
     return {Field::operator_name, tr("Operator: expected one line of at most %1 characters.").arg(kLongestName)};
   }
-  static const QRegularExpression kCode(QStringLiteral("^[A-Za-z0-9_-]*$"));
-  if (entries.subject.size() > kLongestCode || !kCode.match(entries.subject).hasMatch()) {
+  if (!recording::isSubjectCode(entries.subject.toStdString())) {
     return {Field::subject,
             tr("Subject: expected a code of letters, digits, - and _ such as S07, at most %1 characters; never a name.")
-                .arg(kLongestCode)};
+                .arg(recording::kLongestSubject)};
   }
   if (entries.tags.size() > kMostTags) {
     return {Field::tags, tr("Tags: %1 are too many; at most %2.").arg(entries.tags.size()).arg(kMostTags)};
   }
   for (const QString& tag : entries.tags) {
-    if (tag.size() > kLongestCode || hasControlCharacter(tag)) {
-      return {Field::tags, tr("Tag \"%1\": expected at most %2 characters.").arg(tag.left(20)).arg(kLongestCode)};
+    if (tag.size() > kLongestTag || hasControlCharacter(tag)) {
+      return {Field::tags, tr("Tag \"%1\": expected at most %2 characters.").arg(tag.left(20)).arg(kLongestTag)};
     }
   }
   if (entries.notes.size() > kLongestNotes) {

@@ -1,4 +1,5 @@
 // fyd texture render | fit | play | contact | felt | identify
+#include <iostream>
 #include <iterator>
 
 #include "app/cli/texture/texture_cli.h"
@@ -17,6 +18,14 @@ Input readInput(const std::string& path, double rate_Hz) {
   Input input{valueOrFail(texture::parseRecording(readTextFile(path), path, rate_Hz)), rate_Hz};
   if (!(rate_Hz > 0.0)) input.rate_Hz = input.recording.rate_Hz;
   return input;
+}
+
+texture::FeltPlant readPlant(const std::string& path) {
+  if (path.empty()) return {};
+  std::vector<std::string> unknown;
+  const texture::FeltPlant plant = valueOrFail(texture::parsePlant(readTextFile(path), path, &unknown));
+  for (const std::string& key : unknown) std::cerr << key << ": not known; it counts for nothing\n";
+  return plant;
 }
 
 void addInputOptions(CLI::App& command, std::string& path, double& rate_Hz) {

@@ -8,6 +8,7 @@
 
 #include "app/cli/parts/command.h"
 #include "app/cli/parts/output_file.h"
+#include "core/texture/felt/felt_plant.h"
 #include "core/texture/recording.h"
 
 namespace fyd::cli {
@@ -28,6 +29,8 @@ struct Input {
   double rate_Hz = 0.0;
 };
 [[nodiscard]] Input readInput(const std::string& path, double rate_Hz);
+/// Constants of motors and cloth; keys that mean nothing are named on standard error. No path: the defaults.
+[[nodiscard]] texture::FeltPlant readPlant(const std::string& path);
 /// The positional argument and --rate, the same for every subcommand that reads a recording.
 void addInputOptions(CLI::App& command, std::string& path, double& rate_Hz);
 

@@ -40,14 +40,6 @@ struct Row {
   bool limited = false;
 };
 
-FeltPlant readPlant(const std::string& path) {
-  if (path.empty()) return {};
-  std::vector<std::string> unknown;
-  const FeltPlant plant = valueOrFail(parsePlant(readTextFile(path), path, &unknown));
-  for (const std::string& key : unknown) std::cerr << key << ": not known; it counts for nothing\n";
-  return plant;
-}
-
 /// Applies the chosen mapping as TextureRenderer does, without its transitions between mappings.
 class Mapping {
  public:

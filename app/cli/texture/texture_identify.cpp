@@ -16,8 +16,7 @@ struct IdentifyOptions {
 };
 
 void identify(const IdentifyOptions& options) {
-  texture::FeltPlant base;
-  if (!options.base.empty()) base = valueOrFail(texture::parsePlant(readTextFile(options.base), options.base));
+  const texture::FeltPlant base = readPlant(options.base);
   const auto sweep = valueOrFail(texture::parseSweep(readTextFile(options.input), options.input));
   const auto found = texture::identifyPlant(sweep, base);
   if (!found) throw Failure(about(options.input, found.error().message));

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
@@ -12,11 +13,15 @@
 
 namespace fyd::recording {
 
+/// A subject's code, such as S07: letters, digits, - and _, so that no whole name goes into a file. Empty: none.
+inline constexpr std::size_t kLongestSubject = 32;
+[[nodiscard]] bool isSubjectCode(std::string_view subject);
+
 /// What the operator says of a recording when it starts.
 struct RecordingRequest {
   std::string path;  ///< "….h5"
   std::string operator_name;
-  std::string subject;
+  std::string subject;  ///< isSubjectCode
   std::string notes;
   std::vector<std::string> tags;
 };
