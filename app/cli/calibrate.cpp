@@ -30,7 +30,7 @@ void calibrateIr(const IrCommand& options) {
   const auto found = calibration::calibrateIr(
       {.adc = table.values[0], .distance_mm = table.values[1]}, profile.step.sensing.indentation, profile.calibration,
       {.sensor = static_cast<std::size_t>(options.sensor - 1), .without_outliers = options.without_outliers});
-  nlohmann::ordered_json json = describe(found.result, table);
+  nlohmann::ordered_json json = calibrationJson(found.result, table);
   json["sensor"] = options.sensor;
   json["valid_from_mm"] = jsonNumber(found.valid_from_mm);
   json["valid_to_mm"] = jsonNumber(found.valid_to_mm);
@@ -49,7 +49,7 @@ void calibrateLoadCell(const CalibrateOptions& options) {
   const CsvTable table = valueOrFail(readCsv(options.samples, {"value", "force_N"}));
   const auto found = calibration::calibrateLoadCell({.value_mV_per_V = table.values[0], .force_N = table.values[1]},
                                                     options.load().calibration);
-  nlohmann::ordered_json json = describe(found.result, table);
+  nlohmann::ordered_json json = calibrationJson(found.result, table);
   json["drift_N"] = jsonNumber(found.drift_N);
   json["drift_error_N"] = jsonNumber(found.drift_error_N);
   json["hysteresis_N"] = jsonNumber(found.hysteresis_N);
@@ -72,7 +72,7 @@ void calibrateStiffness(const CalibrateOptions& options) {
       {.angle_deg = table.values[0], .indentation_mm = table.values[1], .force_N = table.values[2]},
       options.load().calibration);
   if (!clothProven(options)) calibration::sayIndentationUnproven(found.result);
-  nlohmann::ordered_json json = describe(found.result, table);
+  nlohmann::ordered_json json = calibrationJson(found.result, table);
   json["force_offset_N"] = jsonNumber(found.force_offset_N);
   json["force_offset_error_N"] = jsonNumber(found.force_offset_error_N);
   json["angles"] = nlohmann::ordered_json::array();
@@ -99,7 +99,7 @@ void calibrateCamera(const CalibrateOptions& options) {
                                                    .y_mm = table.values[3],
                                                    .depth_mm = with_depth ? table.values[4] : std::vector<double>{}},
                                                   options.load().calibration);
-  nlohmann::ordered_json json = describe(found.result, table);
+  nlohmann::ordered_json json = calibrationJson(found.result, table);
   json["rotation_deg"] = jsonNumber(found.rotation_deg);
   json["rotation_error_deg"] = jsonNumber(found.rotation_error_deg);
   json["rotation_used"] = found.rotated;
@@ -114,7 +114,7 @@ void calibrateEncoders(const CalibrateOptions& options) {
   const auto found = calibration::calibrateEncoders(
       {.command_deg = {table.values[0], table.values[2]}, .counts = {table.values[1], table.values[3]}},
       options.load().calibration);
-  nlohmann::ordered_json json = describe(found.result, table);
+  nlohmann::ordered_json json = calibrationJson(found.result, table);
   json["encoders"] = nlohmann::ordered_json::array();
   for (const calibration::EncoderFinding& encoder : found.encoders) {
     json["encoders"].push_back({{"inverted", encoder.inverted},
@@ -130,7 +130,7 @@ void calibrateRest(const CalibrateOptions& options) {
   const CsvTable table = valueOrFail(readCsv(options.samples, {"x_g", "y_g", "z_g"}));
   const auto found =
       calibration::calibrateRest({{table.values[0], table.values[1], table.values[2]}}, options.load().calibration);
-  nlohmann::ordered_json json = describe(found.result, table);
+  nlohmann::ordered_json json = calibrationJson(found.result, table);
   json["sigma_g"] = found.sigma_g;
   json["magnitude_g"] = jsonNumber(found.magnitude_g);
   finish(options, found.result, table, json);
@@ -143,7 +143,7 @@ void calibrateCloth(const CalibrateOptions& options) {
   const auto found = calibration::calibrateCloth(
       {.codes = table.codes, .x_mm = table.x_mm, .y_mm = table.y_mm, .area_mm2 = table.area_mm2}, indentation,
       profile.calibration);
-  nlohmann::ordered_json json = describe(found.result, table.csv);
+  nlohmann::ordered_json json = calibrationJson(found.result, table.csv);
   json["edges"] = sensing::kClothEdgesNames[static_cast<std::size_t>(found.edges)];
   json["other_edges_rmse"] = jsonNumber(found.other_edges_rmse);
   json["share_sigma"] = jsonNumber(found.share_sigma);
@@ -161,7 +161,7 @@ void calibrateTexture(const CalibrateOptions& options) {
   const auto sweep = valueOrFail(texture::parseSweep(readTextFile(options.samples), options.samples));
   const auto found = calibration::calibrateTexture(sweep, options.load().step.texture.plant);
   const CsvTable no_points;
-  nlohmann::ordered_json json = describe(found.result, no_points);
+  nlohmann::ordered_json json = calibrationJson(found.result, no_points);
   json["sliding_share"] = found.identified.sliding_share;
   finish(options, found.result, no_points, json);
 }

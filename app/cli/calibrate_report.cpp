@@ -81,7 +81,7 @@ station::Profile CalibrateOptions::load() const {
   return std::move(loaded.profile);
 }
 
-nlohmann::ordered_json describe(const calibration::CalibrationResult& result, const CsvTable& table) {
+nlohmann::ordered_json calibrationJson(const calibration::CalibrationResult& result, const CsvTable& table) {
   nlohmann::ordered_json json;
   json["procedure"] = result.procedure;
   json["curve"] = result.curve;

@@ -27,7 +27,8 @@ struct CalibrateOptions {
 };
 
 /// The numbers every calibration has; details are added to it before `finish`.
-[[nodiscard]] nlohmann::ordered_json describe(const calibration::CalibrationResult& result, const CsvTable& table);
+[[nodiscard]] nlohmann::ordered_json calibrationJson(const calibration::CalibrationResult& result,
+                                                     const CsvTable& table);
 
 /// Writes an accepted result into the profile, if one was named, prints everything, and throws Failure when the result
 /// is refused.

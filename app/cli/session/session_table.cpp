@@ -11,7 +11,7 @@ namespace fyd::cli {
 namespace {
 
 constexpr std::size_t kColumns = 9;
-using Row = std::array<std::string, kColumns>;
+using TableRow = std::array<std::string, kColumns>;
 
 /// Cut at a UTF-8 character boundary: bytes 10xxxxxx continue a character.
 std::string shortened(std::string text, std::size_t most) {
@@ -70,7 +70,8 @@ void printScan(const catalogue::ScanReport& report) {
 }
 
 void printEntries(const std::vector<catalogue::CatalogueEntry>& entries) {
-  std::vector<Row> rows = {{"id", "started (UTC)", "length", "operator", "subject", "health", "MB", "tags", "file"}};
+  std::vector<TableRow> rows = {
+      {"id", "started (UTC)", "length", "operator", "subject", "health", "MB", "tags", "file"}};
   for (const catalogue::CatalogueEntry& entry : entries) {
     const bool present = entry.file_state == catalogue::FileState::present;
     rows.push_back(
@@ -81,10 +82,10 @@ void printEntries(const std::vector<catalogue::CatalogueEntry>& entries) {
          (present ? "" : fmt::format("[{}] ", catalogue::toString(entry.file_state))) + shortened(entry.path, 400)});
   }
   std::array<std::size_t, kColumns> widths{};
-  for (const Row& row : rows) {
+  for (const TableRow& row : rows) {
     for (std::size_t i = 0; i < kColumns; ++i) widths[i] = std::max(widths[i], width(row[i]));
   }
-  for (const Row& row : rows) {
+  for (const TableRow& row : rows) {
     std::string line;
     for (std::size_t i = 0; i + 1 < kColumns; ++i) {
       const bool is_number = i == 2 || i == 6;

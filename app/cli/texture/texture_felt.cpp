@@ -33,7 +33,7 @@ struct FeltOptions {
   bool json = false;
 };
 
-struct Row {
+struct FeltRow {
   double signal_g = 0.0;
   double wanted_g = 0.0;
   std::array<double, kFeltMotors> duty_percent{};
@@ -51,7 +51,7 @@ class Mapping {
     felt_.reset();
   }
 
-  Row step(double signal_g, bool silent) {
+  FeltRow step(double signal_g, bool silent) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     if (choice_ == PwmChoice::felt) {
       const FeltDuty duty = felt_.step(signal_g, kUnknown);
@@ -83,17 +83,17 @@ sim::FingerVibrationParameters simulated(const FeltPlant& plant) {
   return out;
 }
 
-void write(const std::string& path, double start_s, const std::vector<Row>& rows) {
+void write(const std::string& path, double start_s, const std::vector<FeltRow>& rows) {
   std::string text = "t_s,signal_g,wanted_g,duty1_percent,duty2_percent,limited\n";
   for (std::size_t n = 0; n < rows.size(); ++n) {
-    const Row& row = rows[n];
+    const FeltRow& row = rows[n];
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", start_s + static_cast<double>(n) / kRate_Hz,
                    row.signal_g, row.wanted_g, row.duty_percent[0], row.duty_percent[1], row.limited ? 1 : 0);
   }
   writeTextFile(path, text);
 }
 
-nlohmann::ordered_json figuresOf(const std::vector<Row>& rows, const FeltPlant& plant, double stretch_deg) {
+nlohmann::ordered_json figuresOf(const std::vector<FeltRow>& rows, const FeltPlant& plant, double stretch_deg) {
   sim::FingerVibration simulation(simulated(plant), stretch_deg);
   std::vector<double> signal;
   std::vector<double> finger;
@@ -102,7 +102,7 @@ nlohmann::ordered_json figuresOf(const std::vector<Row>& rows, const FeltPlant& 
   double limited = 0.0;
   double moved_deg = 0.0;
   double wanted = 0.0;
-  for (const Row& row : rows) {
+  for (const FeltRow& row : rows) {
     signal.push_back(row.signal_g);
     finger.push_back(simulation.step(row.duty_percent));
     wanted += row.signal_g * row.signal_g;
@@ -141,7 +141,7 @@ void felt(const FeltOptions& options) {
   used.stretch_deg = stretch_deg;
   Mapping mapping(used, plant);
 
-  std::vector<Row> rows(uniform.steps.size());
+  std::vector<FeltRow> rows(uniform.steps.size());
   std::vector<double> signal(rows.size());
   for (std::size_t n = 0; n < rows.size(); ++n) signal[n] = chain.step(uniform.steps[n]);
   const auto begin = std::chrono::steady_clock::now();

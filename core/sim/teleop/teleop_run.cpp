@@ -95,7 +95,7 @@ class Way {
   std::multimap<double, Item> underway_;
 };
 
-using Datagram = std::vector<std::uint8_t>;
+using DatagramBytes = std::vector<std::uint8_t>;
 
 /// The path's longest delay, without jitter and queue.
 double delay_s(const NetworkSettings& way) {
@@ -193,7 +193,7 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
   far_end.start(2);
   const Vec3 begin = vectorOf(recorded.at_mm.front());
   DesktopArm hand(kHand_kg, begin), far(0.0, begin);
-  Way<Datagram> there(settings.path.forward), back(settings.path.backward);
+  Way<DatagramBytes> there(settings.path.forward), back(settings.path.backward);
   const double there_s = delay_s(settings.path.forward), back_s = delay_s(settings.path.backward);
   Told told_place(far_end, 0, kQueryDelay_s + there_s), told_force(hand_end, 3, kQueryDelay_s + back_s);
   std::vector<TeleopRow> rows;
@@ -210,12 +210,12 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
   const auto code = *protocol::PositionCode::make(DesktopArm::workspace());
   for (std::size_t i = 0; i < recorded.at_mm.size(); ++i) {
     const double t = kStep_s * static_cast<double>(i);
-    there.deliver(t, [&](const Datagram& each) {
+    there.deliver(t, [&](const DatagramBytes& each) {
       far_end.receive(each, t);
       if (const auto message = protocol::decodeDeviceMessage(each, code)) last_heard = message->orientation;
       heard = true;
     });
-    back.deliver(t, [&](const Datagram& each) { hand_end.receive(each, t); });
+    back.deliver(t, [&](const DatagramBytes& each) { hand_end.receive(each, t); });
     const protocol::Orientation turn = angles(hand.position_mm());
     const Vec3 felt = hand_end.step({hand.measured_mm(), hand.velocity_mm_per_s(), {}, turn}, t);
     const Vec3 drive = far_end.step({far.measured_mm(), far.velocity_mm_per_s(), wall, {}}, t);
@@ -224,7 +224,7 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
       if (bytes.empty()) continue;
       out.message_bits = std::max(out.message_bits, 8.0 * static_cast<double>(bytes.size() + 28));
       (which == &hand_end ? packets : back_packets) += 1.0;
-      (which == &hand_end ? there : back).send(Datagram(bytes.begin(), bytes.end()), bytes.size(), t);
+      (which == &hand_end ? there : back).send(DatagramBytes(bytes.begin(), bytes.end()), bytes.size(), t);
     }
     const bool linked = far_end.phase() == TeleopEnd::Phase::linked;
     if (linked) {

@@ -15,15 +15,15 @@ namespace {
 using namespace samples;
 using testing::HasSubstr;
 
-constexpr std::uint64_t kRows = 4100;  // the last commit holds 100
-constexpr std::uint64_t kLast = 17;    // commits: an empty one, sixteen of 250 steps, the closing one
+constexpr std::uint64_t kCommitRows = 4100;  // the last commit holds 100
+constexpr std::uint64_t kLast = 17;          // commits: an empty one, sixteen of 250 steps, the closing one
 
 class DamagedCommits : public testing::Test {
  protected:
   void SetUp() override {
     auto writer = RecordingWriter::create(file, header());
     ASSERT_TRUE(writer);
-    for (std::uint64_t row = 0; row < kRows; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
+    for (std::uint64_t row = 0; row < kCommitRows; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
     ASSERT_TRUE((*writer)->append(Note{.when = instantAt(1004.05), .text = "the last word"}));
     ASSERT_TRUE((*writer)->close());
     first = commitAt(file, 0);
@@ -53,7 +53,7 @@ class DamagedCommits : public testing::Test {
     }
     EXPECT_EQ(outcome->result, expected) << outcome->first_damage.text();
     EXPECT_EQ(outcome->steps, steps);
-    EXPECT_EQ(outcome->steps + outcome->lost_steps, kRows);
+    EXPECT_EQ(outcome->steps + outcome->lost_steps, kCommitRows);
     EXPECT_TRUE(verify(file)->intact());
     EXPECT_TRUE(othersOpen(file));
     auto recording = Recording::open(file);
@@ -81,7 +81,7 @@ TEST_F(DamagedCommits, OneTurnedBitOfAnyRowIsToldAndCostsNothing) {
     const std::uint64_t number = i < 20 ? kLast - random() % 3 : random() % (kLast + 1);
     flipBit(file, commitAt(file, number) + random() % sizeof(CommitRow), random() % 8);
     expectSaid();
-    const auto whole = recovered(RecoverResult::whole, kRows);
+    const auto whole = recovered(RecoverResult::whole, kCommitRows);
     ASSERT_TRUE(whole);
     EXPECT_TRUE(whole->info().header.missing.empty());
     EXPECT_EQ(whole->info().gaps, 0U);
@@ -96,7 +96,7 @@ TEST_F(DamagedCommits, OfARowThatIsWrongInManyPlacesTheProvenTablesAreKept) {
   loseBytes(file, at, 40);                                                         // number, times, counters
   loseBytes(file, at + offsetof(CommitRow, crc) + 4 * indexOf(Table::motors), 4);  // and one table's checksum
   expectSaid();
-  const auto left = recovered(RecoverResult::part_lost, kRows);
+  const auto left = recovered(RecoverResult::part_lost, kCommitRows);
   ASSERT_TRUE(left);
   ASSERT_EQ(left->info().header.missing.size(), 1U);
   const MissingRows& missing = left->info().header.missing[0];
@@ -112,10 +112,10 @@ TEST_F(DamagedCommits, RowsThatNoCommitProvesAreNeitherShownNorHidden) {
     const auto recording = Recording::open(file);
     ASSERT_TRUE(recording);
     const RecordingInfo& info = (*recording)->info();
-    EXPECT_EQ(info.samples, kRows);
-    EXPECT_EQ(info.committed_samples, kRows - 350);
+    EXPECT_EQ(info.samples, kCommitRows);
+    EXPECT_EQ(info.committed_samples, kCommitRows - 350);
     EXPECT_GE(info.unproven_rows, 350U);
-    EXPECT_FALSE((*recording)->step(kRows - 350));
+    EXPECT_FALSE((*recording)->step(kCommitRows - 350));
     const auto all = exports::exportRecording(**recording, folder.file("all.csv"), {});
     ASSERT_FALSE(all);
     EXPECT_THAT(all.error().text(), HasSubstr("recover"));
@@ -124,7 +124,7 @@ TEST_F(DamagedCommits, RowsThatNoCommitProvesAreNeitherShownNorHidden) {
     some.to_s = 3.0;
     EXPECT_TRUE(exportRecording(**recording, folder.file("some.csv"), some));
   }
-  const auto left = recovered(RecoverResult::part_lost, kRows - 350);
+  const auto left = recovered(RecoverResult::part_lost, kCommitRows - 350);
   ASSERT_TRUE(left);
   EXPECT_EQ(left->info().gaps, 350U);
   std::vector<std::pair<std::string, std::uint64_t>> gone;
@@ -136,7 +136,7 @@ TEST_F(DamagedCommits, RowsThatNoCommitProvesAreNeitherShownNorHidden) {
 TEST_F(DamagedCommits, ALostSectorOfThemCostsItsOwnBlocksOnly) {
   loseBytes(file, commitAt(file, 5), 512);  // commits 5 and 6
   expectSaid();
-  const auto left = recovered(RecoverResult::part_lost, kRows - 3 * 250);  // and 7, whose beginning nothing tells
+  const auto left = recovered(RecoverResult::part_lost, kCommitRows - 3 * 250);  // and 7, whose beginning nothing tells
   ASSERT_TRUE(left);
   EXPECT_EQ(left->info().gaps, 750U);
 }

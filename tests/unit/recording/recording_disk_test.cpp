@@ -21,12 +21,12 @@ namespace {
 
 using samples::LoggingDisk;
 using testing::ElementsAre;
-using Bytes = std::vector<std::byte>;
+using DiskBytes = std::vector<std::byte>;
 
 constexpr std::uint64_t kFirst = kJournalBytes;  // where HDF5's own bytes begin
 constexpr std::size_t kHead_bytes = 40;          // of the journal
 
-Bytes bytesOf(std::string_view text) {
+DiskBytes bytesOf(std::string_view text) {
   const auto bytes = std::as_bytes(std::span(text));
   return {bytes.begin(), bytes.end()};
 }
@@ -222,7 +222,7 @@ TEST_F(Journaled, AJournalWithOneWrongBitIsNone) {
   leaveJournalOf("X");
   DiskCalls plain;
   ASSERT_EQ(plain.write(file, bytesOf(std::string_view("a")), kFirst), 0);  // its place was not reached
-  const Bytes journal = disk->calls[3].bytes;
+  const DiskBytes journal = disk->calls[3].bytes;
   ASSERT_GT(journal.size(), kHead_bytes);
   {
     const JournaledFile sound(file, JournaledFile::Mode::read, true);
@@ -235,7 +235,7 @@ TEST_F(Journaled, AJournalWithOneWrongBitIsNone) {
   constexpr std::size_t kReserved = 36;  // four bytes of the head that mean nothing
   for (std::size_t at = 0; at < journal.size(); ++at) {
     if (at >= kReserved && at < kHead_bytes) continue;
-    Bytes wrong = journal;
+    DiskBytes wrong = journal;
     wrong[at] ^= std::byte{0x10};
     ASSERT_EQ(plain.write(file, wrong, 0), 0);
     const JournaledFile damaged(file, JournaledFile::Mode::read, true);
@@ -245,7 +245,7 @@ TEST_F(Journaled, AJournalWithOneWrongBitIsNone) {
 }
 
 template <class T>
-T numberAt(const Bytes& bytes, std::size_t at) {
+T numberAt(const DiskBytes& bytes, std::size_t at) {
   T out{};
   std::memcpy(&out, bytes.data() + at, sizeof out);
   return out;
@@ -267,7 +267,7 @@ TEST_F(Journaled, AJournalIsWrittenAsTheFormatsPageSays) {
   ASSERT_EQ(again.applyJournal(), 0);
   write(again, 0, "R");
   ASSERT_EQ(again.commit(), 0);
-  std::vector<Bytes> journals;
+  std::vector<DiskBytes> journals;
   for (const LoggingDisk::Call& call : disk->calls)
     if (!call.sync && call.at == 0) journals.push_back(call.bytes);
   ASSERT_EQ(journals.size(), 3U);
@@ -275,16 +275,16 @@ TEST_F(Journaled, AJournalIsWrittenAsTheFormatsPageSays) {
   constexpr std::size_t kNumbers = 16;  // behind the magic: sequence and bytes
   for (std::size_t i = 0; i < journals.size(); ++i) {
     SCOPED_TRACE(i);
-    const Bytes& journal = journals[i];
+    const DiskBytes& journal = journals[i];
     ASSERT_GT(journal.size(), kHead_bytes);
     EXPECT_EQ(std::memcmp(journal.data(), kMagic.data(), kMagic.size()), 0);
     EXPECT_EQ(numberAt<std::uint64_t>(journal, kNumbers), i + 1) << "the number continues the ended recorder's";
     EXPECT_EQ(numberAt<std::uint64_t>(journal, kNumbers + 8), journal.size() - kHead_bytes);
-    Bytes proven(journal.begin() + kNumbers, journal.begin() + kNumbers + 16);
+    DiskBytes proven(journal.begin() + kNumbers, journal.begin() + kNumbers + 16);
     proven.insert(proven.end(), journal.begin() + kHead_bytes, journal.end());
     EXPECT_EQ(numberAt<std::uint32_t>(journal, kNumbers + 16), referenceCrc32c(proven));
   }
-  Bytes pieces(journals[0].begin() + kHead_bytes, journals[0].end());
+  DiskBytes pieces(journals[0].begin() + kHead_bytes, journals[0].end());
   for (std::byte& b : pieces) b ^= std::byte{0xA5};
   ASSERT_EQ(pieces.size(), 16U + 2U + 16U + 1U);
   EXPECT_EQ(numberAt<std::uint64_t>(pieces, 0), kFirst + 1);

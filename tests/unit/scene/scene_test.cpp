@@ -14,7 +14,7 @@
 namespace fyd::scene {
 namespace {
 
-std::shared_ptr<const SearchedMesh> cube() {  // from the origin to 10 mm
+std::shared_ptr<const SearchedMesh> searchedCube() {  // from the origin to 10 mm
   return std::make_shared<const SearchedMesh>(
       shapes::built(shapes::scaled(shapes::box(5.0, 5.0, 5.0), 1.0, {5.0, 5.0, 5.0})));
 }
@@ -37,7 +37,7 @@ Scene sceneOf(std::vector<BodyDescription> bodies, ContactModel model = ContactM
   description.bodies = std::move(bodies);
   const std::size_t count = description.bodies.size();
   return std::move(
-      *Scene::build(description, std::vector(count, cube()), std::vector(count, BodyModel{.contact = model})));
+      *Scene::build(description, std::vector(count, searchedCube()), std::vector(count, BodyModel{.contact = model})));
 }
 
 TEST(Scene, ABodyIsTouchedWhereItStands) {
