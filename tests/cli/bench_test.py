@@ -11,7 +11,7 @@ import fyd
 SUBJECTS = sorted(path.stem for path in (Path(os.environ["FYD_SOURCE_DIR"]) / "app/bench").glob("*.cpp") if path.stem != "main")
 
 
-@unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(fyd.PROGRAM), "fyd-bench")), "fyd-bench is not built")
+@fyd.needs_bench
 class Bench(fyd.Case):
     def test_all_subjects_are_run_and_written(self):
         out = Path(self.path("out"))

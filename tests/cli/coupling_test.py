@@ -10,6 +10,7 @@ RUNS = 15
 WALL_m = 0.050
 
 
+@fyd.needs_bench
 class Coupling(fyd.Case):
     def test_the_default_coupling_meets_its_goals_in_every_run(self):
         folder = self.path("runs")

@@ -18,6 +18,8 @@ HOME = tempfile.TemporaryDirectory()
 os.environ["XDG_DATA_HOME"] = HOME.name
 DATA = os.path.join(os.environ["FYD_SOURCE_DIR"], "tests", "data")
 
+# Sanitizers' and the coverage preset build none.
+needs_bench = unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(PROGRAM), "fyd-bench")), "fyd-bench is not built")
 
 # Nothing that a test waits for takes so long on a machine that does anything else: it does not come.
 PATIENCE = 120  # s

@@ -1,7 +1,6 @@
 """fyd bench stability: ours within its bound on every hard case, and a naive implementation beyond it."""
 import json
 import math
-import os
 import unittest
 
 import fyd
@@ -27,7 +26,7 @@ def faults(rows):
     return out
 
 
-@unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(fyd.PROGRAM), "fyd-bench")), "fyd-bench is not built")
+@fyd.needs_bench
 class Stability(fyd.Case):
     @classmethod
     def setUpClass(cls):
