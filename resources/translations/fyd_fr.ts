@@ -7998,6 +7998,10 @@ Pour commencer : %1</translation>
         <translation>étirement {:g}° : au-delà de control.motor_limit_deg = {:.0f}</translation>
     </message>
     <message>
+        <source>subject "{}": expected a code of letters, digits, - and _ such as S07, at most {} characters; never a name</source>
+        <translation>sujet "{}" : attendu un code de lettres, chiffres, - et _ comme S07, au plus {} caractères ; jamais un nom</translation>
+    </message>
+    <message>
         <source>subject %1</source>
         <translation>sujet %1</translation>
     </message>

@@ -7998,6 +7998,10 @@ Per cominciare: %1</translation>
         <translation>tensione {:g}°: oltre control.motor_limit_deg = {:.0f}</translation>
     </message>
     <message>
+        <source>subject "{}": expected a code of letters, digits, - and _ such as S07, at most {} characters; never a name</source>
+        <translation>soggetto "{}": atteso un codice di lettere, cifre, - e _ come S07, al più {} caratteri; mai un nome</translation>
+    </message>
+    <message>
         <source>subject %1</source>
         <translation>soggetto %1</translation>
     </message>

@@ -225,7 +225,7 @@ class Identify(fyd.Case):
     def test_a_key_of_the_base_that_means_nothing_is_named(self):
         self.sweep()
         with open(self.path("base.toml"), "w", encoding="utf-8") as file:
-            file.write("free_speed_deg_s = 207\nfree_spede_deg_s = 1\n")
+            file.write(plant_toml(free_spede_deg_s=1))
         done = fyd.run("texture", "identify", self.path("sweep.csv"), "-o", self.path("found.toml"), "--base", self.path("base.toml"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("free_spede_deg_s: not known", done.stderr)

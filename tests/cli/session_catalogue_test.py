@@ -6,6 +6,8 @@ import unittest
 
 import fyd
 
+NOTES = "first try'; DROP TABLE sessions; --"
+
 
 class Catalogue(fyd.Case):
     """Two recordings for all; each test has copies and a catalogue of its own."""
@@ -15,11 +17,11 @@ class Catalogue(fyd.Case):
         cls.kept = fyd.tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.kept.cleanup)
         os.environ["XDG_DATA_HOME"] = cls.kept.name
-        for name, operator, subject, tag in (("a.h5", "Ada", "'; DROP TABLE sessions; --", "soft"),
+        for name, operator, subject, tag in (("a.h5", "Ada", "S7", "soft"),
                                              ("b.h5", "Müller", "S8", "dry")):
             done = fyd.run("station", "--simulate", "--duration", 1.5, "--record",
                            os.path.join(cls.kept.name, name), "--operator", operator, "--subject", subject,
-                           "--notes", "first try", "--tag", tag, "--json")
+                           "--notes", NOTES, "--tag", tag, "--json")
             assert done.returncode == 0, done.stderr
 
     def setUp(self):
@@ -44,8 +46,8 @@ class Catalogue(fyd.Case):
         listed = self.list("--sort", "operator", "--ascending")
         self.assertEqual(listed["found"], 2)
         ada, mueller = listed["sessions"]
-        self.assertEqual((ada["operator"], ada["notes"], ada["tags"]), ("Ada", "first try", ["soft"]))
-        self.assertEqual(ada["subject"], "'; DROP TABLE sessions; --")
+        self.assertEqual((ada["operator"], ada["notes"], ada["tags"]), ("Ada", NOTES, ["soft"]))
+        self.assertEqual(ada["subject"], "S7")
         self.assertEqual((ada["health"], ada["wholeness"], ada["gaps"]), ("good", "whole", 0))
         self.assertEqual(ada["path"], os.path.realpath(self.a))
         self.assertEqual(ada["bytes"], os.path.getsize(self.a))
