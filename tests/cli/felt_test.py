@@ -228,7 +228,7 @@ class Identify(fyd.Case):
             file.write(plant_toml(free_spede_deg_s=1))
         done = fyd.run("texture", "identify", self.path("sweep.csv"), "-o", self.path("found.toml"), "--base", self.path("base.toml"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("free_spede_deg_s: not known", done.stderr)
+        self.assertIn("'free_spede_deg_s': not known", done.stderr)
 
     def test_a_profile_takes_it(self):
         self.sweep()
