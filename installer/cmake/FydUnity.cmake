@@ -4,9 +4,8 @@ option(FYD_UNITY "Compile the files of a folder together" ON)
 set(FYD_UNITY_FILES 24 CACHE STRING "Most files that are compiled together")
 
 # fyd_unity(TARGET ROOT FILE…): compiles those of the target's FILEs together that have the first folder below ROOT in
-# common, in units of equal size; without a folder, those of ROOT itself; with ROOT "" whatever their folder. Not CMake's
-# UNITY_BUILD, which includes by absolute paths: a compiler cache then finds nothing that another folder's build has left
-# there.
+# common, in units of equal size; without a folder, those of ROOT itself. Not CMake's UNITY_BUILD, which includes by
+# absolute paths: a compiler cache then finds nothing that another folder's build has left there.
 function(fyd_unity target root)
   if(NOT FYD_UNITY)
     return()
@@ -14,11 +13,8 @@ function(fyd_unity target root)
   set(folders "")
   foreach(file IN LISTS ARGN)
     if(file MATCHES "\\.cpp$")
-      set(folder "")
-      if(root)
-        file(RELATIVE_PATH path "${root}" "${file}")
-        string(REGEX MATCH "^[a-z_]+/" folder "${path}")
-      endif()
+      file(RELATIVE_PATH path "${root}" "${file}")
+      string(REGEX MATCH "^[a-z_]+/" folder "${path}")
       list(APPEND folders "/${folder}")
       list(APPEND "files_of_/${folder}" "${file}")
     endif()

@@ -1,5 +1,5 @@
 // The plant of felt_peer.py: motors, rollers, cloth and finger, written from the requirement. It stands in C++ for speed
-// only and shares nothing with the program: no header, no library, not even its flags.
+// only and shares nothing with the program: no header, no library.
 //
 // Per motor, speed w in deg/s, drive in parts of the largest duty:
 //   motor   w' = (W/T)(k u/100 - w/W - load - F(w) sgn w), F(w) = b (c + (1 - c) exp(-(w/v)^2)), stuck while |drive| < b

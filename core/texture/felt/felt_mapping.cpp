@@ -10,8 +10,8 @@
 namespace fyd::texture {
 namespace {
 
-// Tuned on random materials and noise bands (seed 2026) with the simulated plant of tests/cli/felt_peer.py, and
-// evaluated on the signals of that test.
+// Tuned on random materials and noise bands (seed 2026) with the simulated plant of tests/cli/felt_plant.cpp, and
+// evaluated on the signals of felt_peer.py beside it.
 
 constexpr double kLargestSignal_g = 1000.0;
 constexpr double kIntegratorLeak_Hz = 4.0;  // slower motion is left to the position loop

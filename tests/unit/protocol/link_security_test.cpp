@@ -1,10 +1,10 @@
 // Keys, handshake and sealed channel: the published bytes, and attacks on them.
+#include <cstdlib>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <cstdlib>
-#include <set>
 
 #include "app/bench/parts/allocation_count.h"
 #include "core/protocol/link/link_key_file.h"
