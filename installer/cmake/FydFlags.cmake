@@ -30,7 +30,10 @@ endif()
 # The folder of the source is in no object: built in two places, a program is the same to the byte.
 # Counted, an object must say where its counts are read.
 if(FYD_COVERAGE)
-  target_compile_options(fyd_flags INTERFACE --coverage -fprofile-update=atomic)
+  set(FYD_COUNTED --coverage -fprofile-update=atomic)
+  if(FYD_COVERAGE STREQUAL "all")
+    target_compile_options(fyd_flags INTERFACE ${FYD_COUNTED})
+  endif()
   target_link_options(fyd_flags INTERFACE --coverage)
 else()
   target_compile_options(fyd_flags INTERFACE "-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")

@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """How much of the core its tests run: lines of all of it, and every branch of safety, protocols and recorder.
 
-    cmake --preset coverage && cmake --build --preset coverage && ctest --preset coverage
-    python3 tests/coverage/coverage.py build/coverage
+    cmake --preset branches && cmake --build --preset branches && ctest --preset branches
+    python3 tests/coverage/coverage.py build/branches
+
+That counts the three parts, which alone are unoptimised. With the preset coverage everything is, takes hours, and the
+lines of the whole core are counted too.
 
 Branches that only an exception takes do not count (gcovr --exclude-throw-branches), nor do those behind such a one
 (gcov.py beside this file), nor those that the compiler made of a closing brace. A branch that no test takes stands in
@@ -68,15 +71,18 @@ def main():
     lines = sum(each[0] for each in folders.values())
     run = sum(each[1] for each in folders.values())
     print(f"{'core':24}{lines:8}{run:8}{100 * run / lines:7.1f}")
-    if run < LEAST_LINES * lines:
+    if not re.search("^FYD_COVERAGE:.*=all$", (chosen.build / "CMakeCache.txt").read_text(), re.MULTILINE):
+        print("a part of the core: its lines are not judged")
+    elif run < LEAST_LINES * lines:
         wrong.append(f"{100 * run / lines:.1f} % of the core's lines run, expected {100 * LEAST_LINES:.0f} % at least")
 
     print(f"\n{'part':12}{'branches':>10}{'taken':>8}{'excused':>9}{'open':>6}{'unnamed':>9}")
     for part, pattern in EVERY_BRANCH.items():
-        total, taken, named, still_open, unnamed = 0, 0, 0, 0, 0
+        counted_files, total, taken, named, still_open, unnamed = 0, 0, 0, 0, 0, 0
         for file in files:
             if not re.fullmatch(pattern, file["file"]):
                 continue
+            counted_files += 1
             text = (SOURCE / file["file"]).read_text().splitlines()
             for line in file["lines"]:
                 branches = [b for b in line.get("branches", []) if not b.get("throw")]
@@ -102,6 +108,8 @@ def main():
                 else:
                     wrong.append(f"{file['file']}:{line['line_number']}: {missed} of {len(branches)} branches: {words}")
         print(f"{part:12}{total:10}{taken:8}{named:9}{still_open:6}{unnamed:9}")
+        if not counted_files:
+            wrong.append(f"{part}: no file was counted, expected those of {pattern}")
         if still_open:
             wrong.append(f"{part}: {still_open} branches are open in unreached.toml, expected a test or a reason")
     for row, was_used in zip(excused, used):

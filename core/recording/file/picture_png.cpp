@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <opencv2/core.hpp>
 #include <string_view>
 
 #include "core/base/checksum.h"
