@@ -37,6 +37,9 @@ def test_comparing_two_gains(session):
     assert "the same bit for bit" in text and "not the same" not in text
     different = [int(each) for each in re.findall(r"(\d+) steps differ", text)]
     assert len(different) == 2 and min(different) > 0
+    felt = re.findall(r"felt: ([\d.]+) % .*, ([\d.]+) % as recorded; the force off by ([\d.]+) N", text)
+    assert len(felt) == 2 and all(float(force_N) > 0 for _, _, force_N in felt)
+    assert felt[0][1] == felt[1][1] and felt[0][0] != felt[1][0]
 
 
 def test_fitting_a_texture():

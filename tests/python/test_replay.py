@@ -42,6 +42,36 @@ def test_another_gain_changes_the_steps(classic):
     assert np.array_equal(same.telemetry["stretch_reference_deg"], classic.telemetry["stretch_reference_deg"])
 
 
+def test_in_a_closed_loop_motors_and_cloth_answer(session):
+    recorded = rows_of(session)
+    with fyd.open(session) as recording:
+        same = recording.replay(closed_loop=True)
+        assert same.identical and same.closed_loop and not same.what_if
+        soft = {"control.ki": 0.01, "control.kp": 0.1}
+        loop, fixed = recording.replay(soft, closed_loop=True), recording.replay(soft)
+
+    def apart(result, name):
+        return np.nanmax(np.abs(result.telemetry[name] - recorded[name]))
+
+    assert np.array_equal(fixed.telemetry["force_N"], recorded["force_N"], equal_nan=True)
+    assert apart(fixed, "stretch_measured_deg") == 0 and apart(fixed, "stretch_reference_deg") > 0
+    assert apart(loop, "stretch_measured_deg") > 0.1 and apart(loop, "force_N") > 0.001
+    assert apart(loop, "indentation_mm") < 0.05  # the finger presses as deep as it did
+
+
+def test_the_stiffness_error_is_the_columns_rms(session):
+    recorded = rows_of(session)
+    with fyd.open(session) as recording:
+        loop = recording.replay({"control.kp": 3}, closed_loop=True)
+    for percent, columns in ((loop.stiffness_error_recorded_percent, recorded),
+                             (loop.stiffness_error_replayed_percent, loop.telemetry)):
+        known = (columns["stiffness_observable"] != 0) & (columns["state"] == fyd.SafetyState.active.value)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            off = (columns["stiffness_N_per_mm"] / columns["target_N_per_mm"] - 1)[known]
+        assert percent == pytest.approx(100 * np.sqrt(np.mean(off[np.isfinite(off)] ** 2)), rel=1e-9)
+    assert loop.stiffness_error_replayed_percent != loop.stiffness_error_recorded_percent
+
+
 def test_a_closed_loop_needs_touches_that_identify_the_cloth(classic):
     with pytest.raises(fyd.Error, match=r"closed loop.*1\.22 s; expected at least 100 over 2 s") as caught:
         classic.replay({"control.kp": 3}, closed_loop=True)
