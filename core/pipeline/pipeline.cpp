@@ -68,10 +68,6 @@ void Pipeline::takeTime(const Inputs& inputs) {
     second_start_ = inputs.now;
     missed_at_second_start_ = inputs.missed_cycles;
   }
-  if (inputs.now - second_start_ >= std::chrono::seconds(1)) {
-    second_start_ = inputs.now;
-    missed_at_second_start_ = inputs.missed_cycles;
-  }
   last_now_ = inputs.now;
   ++steps_;
 }
@@ -130,7 +126,8 @@ std::string_view Pipeline::parameterOf(RobotCommand command) {
 
 void Pipeline::applyRobotCommands(const Inputs& inputs) {
   // The motion is not reset: a robot that reconnects stands where it was left.
-  if (inputs.robot.phase != last_phase_ && inputs.robot.phase == LinkPhase::waiting) robot_sets_reference_ = false;
+  const bool left = inputs.robot.phase == LinkPhase::waiting || inputs.robot.phase == LinkPhase::closed;
+  if (inputs.robot.phase != last_phase_ && left) robot_sets_reference_ = false;
   for (const RobotCommand command : inputs.robot.commands) {
     report({.kind = EventKind::robot_command, .value = static_cast<double>(command)});
     switch (command) {
@@ -221,6 +218,10 @@ void Pipeline::judge(const Inputs& inputs) {
        .steps_missed = inputs.missed_cycles > missed_at_second_start_ &&
                        static_cast<double>(inputs.missed_cycles - missed_at_second_start_) > kMostMissedPerSecond},
       parameters_.step);
+  if (inputs.now - second_start_ >= std::chrono::seconds(1)) {  // what was missed up to here is judged with the old one
+    second_start_ = inputs.now;
+    missed_at_second_start_ = inputs.missed_cycles;
+  }
   faults_ = judged.faults;
   interruptions_ = judged.interruptions;
   outputs_.faults = faults_;
@@ -262,6 +263,11 @@ void Pipeline::stepSafety(const Inputs& inputs) {
   report({.kind = EventKind::state_changed, .state = safety_.state(), .fault = safety_.heldBecause()});
   if (safety_.state() == SafetyState::active) {
     controller_.reset(rollers_.valid ? rollers_.stretch_deg : kNone);
+    if (rollers_.valid) {  // whatever was commanded before: the motors were off since, and a loose cloth went to 0
+      const control::ControlParameters& p = parameters_.control;
+      stretch_deg_ = std::clamp(rollers_.stretch_deg, std::min(0.0, p.travel_minimum_deg), p.travel_maximum_deg);
+      translation_deg_ = std::clamp(rollers_.translation_deg, -p.motor_limit_deg, p.motor_limit_deg);
+    }
     robot_sets_reference_ = robot_sets_reference_ && inputs.robot.phase == LinkPhase::running;
   }
 }

@@ -101,6 +101,8 @@ class FYD_API Pipeline {
   template <class Value>
   void setParameter(std::string_view id, Value&& value);
   void followRobotReference(const RobotMotorReference& reference);
+  /// `to_deg`, or as near to it as the commanded rate allows in this step.
+  [[nodiscard]] double approach(double from_deg, double to_deg) const;
   void configure();
   [[nodiscard]] double target() const;
   /// The robot's state: simulated by the scene if there is one, otherwise received from the robot.

@@ -86,7 +86,10 @@ void Pipeline::stepControl(const Inputs& inputs) {
   if (robot_sets) {
     followRobotReference(inputs.robot.motor_reference.value);
   } else if (enabled) {
-    stretch_deg_ = control_.stretch_angle_deg;
+    // The printed PI sets its reference at once; its rate is no part of it.
+    const bool at_once = parameters_.control.mode == control::ControlMode::thesis;
+    stretch_deg_ = at_once ? control_.stretch_angle_deg : approach(stretch_deg_, control_.stretch_angle_deg);
+    translation_deg_ = approach(translation_deg_, 0.0);
   }
   if (control_.target_clamped && !target_was_clamped_) {
     report({.kind = EventKind::target_clamped, .value = control_.reachable_target_N_per_mm});
@@ -99,15 +102,18 @@ void Pipeline::stepControl(const Inputs& inputs) {
   mixing_.mix(stretch_deg_, translation_deg_, outputs_.motors);
 }
 
+double Pipeline::approach(double from_deg, double to_deg) const {
+  constexpr double kRounding = 1.0 + 1e-9;  // the controller keeps to the same rate
+  const double furthest = parameters_.control.rate_limit_deg_per_s * toSeconds(elapsed_);
+  if (std::abs(to_deg - from_deg) <= kRounding * furthest) return to_deg;
+  return from_deg + std::copysign(furthest, to_deg - from_deg);
+}
+
 void Pipeline::followRobotReference(const RobotMotorReference& reference) {
   if (!std::isfinite(reference.first_ticks) || !std::isfinite(reference.second_ticks)) return;
   const control::ControlParameters& limits = parameters_.control;
   const double stretch = 0.5 * (reference.first_ticks - reference.second_ticks) / control::kTicksPerDegree;
   const double translation = 0.5 * (reference.first_ticks + reference.second_ticks) / control::kTicksPerDegree;
-  const double furthest = limits.rate_limit_deg_per_s * toSeconds(elapsed_);
-  const auto approach = [furthest](double from, double to) {
-    return from + std::clamp(to - from, -furthest, furthest);
-  };
   stretch_deg_ = approach(stretch_deg_, std::clamp(stretch, limits.travel_minimum_deg, limits.travel_maximum_deg));
   translation_deg_ =
       approach(translation_deg_, std::clamp(translation, -limits.motor_limit_deg, limits.motor_limit_deg));

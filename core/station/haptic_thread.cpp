@@ -63,8 +63,7 @@ void HapticThread::takeLink(LinkThread* link) {
   inputs_.robot.commands.clear();
   if (link == nullptr) return;
   const LinkSnapshot& snapshot = link->snapshot.read();
-  inputs_.robot.phase = snapshot.losses == losses_seen_ ? snapshot.phase : pipeline::LinkPhase::lost;
-  losses_seen_ = snapshot.losses;
+  inputs_.robot.phase = link_phase_.next(snapshot);
   inputs_.robot.state = snapshot.state;
   inputs_.robot.motor_reference = snapshot.motor_reference;
   texture::AccelerationSample sample;

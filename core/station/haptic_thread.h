@@ -76,7 +76,7 @@ class HapticThread {
   // its thread's
   pipeline::Pipeline pipeline_;
   pipeline::Inputs inputs_;
-  std::uint64_t losses_seen_ = 0;
+  SeenPhase link_phase_;
   MotorRelease release_;
   const std::uint16_t input_delay_index_;
   const double longest_input_delay_ms_;

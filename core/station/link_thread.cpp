@@ -94,7 +94,9 @@ void LinkThread::run(const std::stop_token& stop, bool clock_waits) {
       send(reception.replies.view());
       take(reception, now);
     }
+    const pipeline::LinkPhase before = end_->phase();
     send(end_->advance(now, answerFrom(said)));
+    if (end_->phase() == pipeline::LinkPhase::lost && before != pipeline::LinkPhase::lost) ++newest_.losses;
     newest_.phase = end_->phase();
     snapshot.write(newest_);
     wants_images_.store(end_->imagesOn(), std::memory_order_relaxed);
@@ -115,6 +117,7 @@ void LinkThread::send(std::span<const protocol::Datagram> datagrams) {
 
 void LinkThread::take(const protocol::TouchpadReception& reception, Instant now) {
   if (reception.session_started) {
+    ++newest_.sessions;
     newest_.state = {};
     newest_.motor_reference = {};
   }

@@ -15,6 +15,7 @@
 #include "core/protocol/link_parameters.h"
 #include "core/protocol/touchpad_end.h"
 #include "core/protocol/udp_socket.h"
+#include "core/station/link_snapshot.h"
 #include "core/station/link_status.h"
 
 namespace fyd::station {
@@ -25,15 +26,6 @@ struct Announcement {
   Instant taken{};
   double k_vib = 0.0;
   control::MotorCommand motors;
-};
-
-/// The latest state values from the robot; its streams go through the rings.
-struct LinkSnapshot {
-  pipeline::LinkPhase phase = pipeline::LinkPhase::waiting;
-  std::uint64_t losses = 0;  ///< increases with each link loss, even one that ended before the loop read it
-  Timed<pipeline::RobotState> state;
-  Timed<pipeline::RobotMotorReference> motor_reference;
-  double sample_delay_ms = 0.0;  ///< how long the texture must wait for accelerations; 0: for none (classic)
 };
 
 class LinkThread {

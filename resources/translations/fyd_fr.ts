@@ -6970,6 +6970,10 @@ Pour commencer : %1</translation>
         <translation>moteur 2</translation>
     </message>
     <message>
+        <source>motor board {} at {} does not obey: its motors are on, expected off; switch off its supply</source>
+        <translation>la carte moteurs {} sur {} n'obéit pas : ses moteurs sont en marche, attendus éteints ; couper son alimentation</translation>
+    </message>
+    <message>
         <source>motor board {} at {} {}: stop, then arm again</source>
         <translation>carte moteurs {} sur {} {} : arrêter, puis armer de nouveau</translation>
     </message>

@@ -6970,6 +6970,10 @@ Per cominciare: %1</translation>
         <translation>motore 2</translation>
     </message>
     <message>
+        <source>motor board {} at {} does not obey: its motors are on, expected off; switch off its supply</source>
+        <translation>scheda motori {} su {} non obbedisce: i suoi motori sono accesi, attesi spenti; spegnerne l'alimentazione</translation>
+    </message>
+    <message>
         <source>motor board {} at {} {}: stop, then arm again</source>
         <translation>scheda motori {} su {} {}: fermare, poi armare di nuovo</translation>
     </message>

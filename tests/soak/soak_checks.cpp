@@ -39,8 +39,10 @@ void Checks::numbers(const pipeline::Outputs& outputs) const {
   expect(outputs.touch.force_N >= 0.0 && std::isfinite(outputs.touch.force_N), "the touch's force in N",
          outputs.touch.force_N, 0.0);
   const double stretch = outputs.telemetry.stretch_reference_deg;
-  expect(stretch >= parameters_.control.travel_minimum_deg - 1e-9 &&
-             stretch <= parameters_.control.travel_maximum_deg + 1e-9,
+  // Below its travel only on its way into it, from where a loose cloth left the rollers.
+  const double least_deg = std::min(parameters_.control.travel_minimum_deg, std::max(0.0, stretch_deg_));
+  const double begins_deg = std::min(least_deg, std::max(0.0, outputs.telemetry.stretch_measured_deg));
+  expect(stretch >= begins_deg - 1e-9 && stretch <= parameters_.control.travel_maximum_deg + 1e-9,
          "the stretch in degrees", stretch, parameters_.control.travel_maximum_deg);
   expect(std::isfinite(outputs.telemetry.texture_signal_g), "the texture's signal in g", 0.0, 0.0);
 }
@@ -55,8 +57,8 @@ void Checks::standstill(const pipeline::Inputs& inputs, const pipeline::Outputs&
   const double moved_deg = std::abs(outputs.telemetry.stretch_reference_deg - stretch_deg_);
   const double most_deg = parameters_.control.rate_limit_deg_per_s * std::max(0.0, elapsed_s) + 1e-9;
   // Rendering begins where the motors stand, so that they do not jump; else the reference keeps to its rate.
-  const double stands_deg = std::clamp(outputs.telemetry.stretch_measured_deg, parameters_.control.travel_minimum_deg,
-                                       parameters_.control.travel_maximum_deg);
+  const double stands_deg =
+      std::clamp(outputs.telemetry.stretch_measured_deg, 0.0, parameters_.control.travel_maximum_deg);
   const double from_there_deg = std::abs(outputs.telemetry.stretch_reference_deg - stands_deg);
   expect(moved_deg <= most_deg || from_there_deg <= most_deg, "the stretch's motion in a step in degrees", moved_deg,
          most_deg);

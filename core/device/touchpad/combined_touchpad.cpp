@@ -7,6 +7,7 @@ constexpr Duration kRetry = std::chrono::milliseconds(200);
 constexpr int kFailuresUntilRest = 3;
 constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
 constexpr Duration kVibrationTimeout = std::chrono::milliseconds(20);
+constexpr int kFarewells = 5;
 
 }  // namespace
 
@@ -101,7 +102,7 @@ void CombinedTouchpad::runMotors(const std::stop_token& stop) {
     if (motor_half_.reportDue(now)) motor_half_.publish(motors_->report());
     std::this_thread::sleep_until(failures < kFailuresUntilRest ? now + period() : Clock::now() + kRetry);
   }
-  static_cast<void>(motors_->exchange({}));  // motors off
+  for (int i = 0; i < kFarewells && !motors_->exchange({}); ++i) continue;  // until the board says that they are off
 }
 
 Result<TouchpadReadings> CombinedTouchpad::exchange(const control::MotorCommand& command, Instant now) {

@@ -52,7 +52,7 @@ DeviceReport QbmoveMotors::report() const {
 
 void QbmoveMotors::lose(std::string_view why) {
   if (energised_) refusal_ = phrase(why);
-  energised_ = false;
+  energised_ = off_confirmed_ = false;
   parser_.reset();
 }
 
@@ -101,13 +101,13 @@ Result<void> QbmoveMotors::connect() {
   if (!port) return tl::unexpected(port.error());
   port_ = std::move(*port);
   parser_.reset();
-  const auto reply = ask(qb::kPing, 0);
-  if (reply && send(protocol::qbmoveByteFrame(qb::kActivate, qb::kMotorsOff))) {
-    ++connections_;
-    return {};
+  off_confirmed_ = false;
+  if (auto reply = ask(qb::kPing, 0); !reply) {
+    port_.reset();
+    return tl::unexpected(reply.error());
   }
-  port_.reset();
-  return tl::unexpected(reply ? Error{explainPort(path_, EIO)} : reply.error());
+  ++connections_;
+  return {};
 }
 
 Result<void> QbmoveMotors::follow(const control::MotorCommand& command) {
@@ -117,11 +117,15 @@ Result<void> QbmoveMotors::follow(const control::MotorCommand& command) {
       const auto limit = static_cast<std::uint8_t>(std::clamp(units, 1.0, 255.0));
       if (auto sent = send(protocol::qbmoveByteFrame(qb::kSetWatchdog, limit)); !sent) return sent;
     }
-    const std::uint8_t mode = command.active ? qb::kMotorsOn : qb::kMotorsOff;
-    if (auto sent = send(protocol::qbmoveByteFrame(qb::kActivate, mode)); !sent) return sent;
+    off_confirmed_ = false;
+    if (command.active) {
+      if (auto sent = send(protocol::qbmoveByteFrame(qb::kActivate, qb::kMotorsOn)); !sent) return sent;
+    }
     energised_ = command.active;
   }
-  if (!energised_) return {};
+  if (!energised_) {  // a damaged frame is not obeyed, and nothing says so: until the board itself says that it is off
+    return off_confirmed_ ? Result<void>{} : send(protocol::qbmoveByteFrame(qb::kActivate, qb::kMotorsOff));
+  }
   if (auto sent = send(protocol::qbmoveFrame(qb::kSetInputs, command.reference_ticks)); !sent) return sent;
   if (parameters_.qbmove_vibration_opcode == 0) return {};
   std::array<std::int16_t, control::kMotorCount> duty = {percentOf(command.vibration_duty_percent[0]),
@@ -148,14 +152,20 @@ Result<control::MotorFeedback> QbmoveMotors::measure() {
 }
 
 Result<void> QbmoveMotors::checkActivation() {
-  if (!energised_ || ++exchanges_ % kActivationEvery != 0) return {};
+  const bool due = ++exchanges_ % kActivationEvery == 0;
+  if (!due && (energised_ || off_confirmed_)) return {};
   const auto mode = ask(qb::kGetActivate, 1);
   if (!mode) return tl::unexpected(mode.error());
-  if (mode->payload[0] == qb::kMotorsOff) {
+  const bool off = mode->payload[0] == qb::kMotorsOff;
+  if (energised_ && off) {
     ++switched_off_;
     lose(sentence("has switched its motors off by itself"));
   }
-  return {};
+  if (energised_) return {};
+  off_confirmed_ = off;
+  if (off) return {};
+  return fail("motor board {} at {} does not obey: its motors are on, expected off; switch off its supply",
+              parameters_.qbmove_id, path_);
 }
 
 Result<control::MotorFeedback> QbmoveMotors::exchange(const control::MotorCommand& command) {

@@ -28,7 +28,8 @@ class QbmoveMotors {
 
   /// Writes the command, reads positions and currents. The motors are activated by a command that turns active only;
   /// after the board was lost (gone, or three exchanges in a row without a reply) or has switched its motors off by
-  /// itself, the command has to turn inactive first, and until then this is an error.
+  /// itself, the command has to turn inactive first, and until then this is an error. While the command is inactive the
+  /// board is told to switch off until it says that it is; that it says otherwise is an error.
   /// @return an error that names the port, what was missing and the remedy
   [[nodiscard]] Result<control::MotorFeedback> exchange(const control::MotorCommand& command);
 
@@ -49,6 +50,7 @@ class QbmoveMotors {
   std::optional<SerialPort> port_;
   protocol::QbmoveParser parser_;
   bool energised_ = false;
+  bool off_confirmed_ = false;  // the board has said that its motors are off
   Message refusal_;   // why the motors stay off although the command wants them on
   int failures_ = 0;  // in a row
   int exchanges_ = 0;

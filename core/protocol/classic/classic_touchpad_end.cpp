@@ -120,13 +120,13 @@ void ClassicTouchpadEnd::handleStranger(Bytes datagram, const Endpoint& from, In
 void ClassicTouchpadEnd::handlePeer(Bytes datagram, Instant now, const TouchpadAnswer& answer) {
   const Decoded<ClassicState> decoded = decodeState(datagram);
   if (decoded.ok() || looksLikeState(datagram)) {
-    last_heard_ = now;
-    measure(now);
     ++counters_.states;
-    phase_ = nextPhase(phase_, LinkEvent::state);
     if (decoded.ok()) {
+      last_heard_ = now;
+      measure(now);
+      phase_ = nextPhase(phase_, LinkEvent::state);
       useState(decoded.value, now);
-    } else {
+    } else {  // answered, and for the rest as if it had not come: nothing but such states is a lost link
       ++counters_.states_damaged;
       ++counters_.refusals[static_cast<std::size_t>(decoded.refusal)];
     }

@@ -75,7 +75,7 @@ std::span<const Datagram> LinkRobotEnd::tick(Instant now, const RobotReport& rep
     tickHandshake();
   } else if (phase_ == RobotPhase::closing) {
     sendFarewell();
-  } else if (connection_) {
+  } else if (connection_ && phase_ != RobotPhase::closed) {
     collect(now, report);
     sendCommand();
     if (now_us_ >= next_state_us_) sendState(report);

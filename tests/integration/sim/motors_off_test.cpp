@@ -1,8 +1,15 @@
 // Motors that the console cannot reach go off by their own board's watchdog, whatever the board does meanwhile. The real
 // drivers against the real servers; the firmware's clock is the test's.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
+#include <span>
+#include <thread>
+
+#include <poll.h>
+#include <unistd.h>
 
 #include "core/device/touchpad/modbus_touchpad.h"
 #include "core/device/touchpad/qbmove_motors.h"
@@ -10,6 +17,7 @@
 #include "core/sim/finger_path.h"
 #include "core/sim/server/modbus_server.h"
 #include "core/sim/server/qbmove_server.h"
+#include "core/sim/server/serial_end.h"
 #include "core/sim/server/touchpad_electronics.h"
 #include "core/sim/touchpad/touchpad_world.h"
 #include "tests/temporary_folder.h"
@@ -58,6 +66,94 @@ TEST_F(MotorsOff, AMotorBoardThatRestartedGetsItsWatchdogBeforeItIsSwitchedOn) {
   ASSERT_TRUE(on());
   pass(fromSeconds(1e-3 * parameters.qbmove_watchdog_ms) + milliseconds(40));  // the board counts in steps of 20 ms
   EXPECT_FALSE(on());
+}
+
+// A board without a watchdog at the end of a line that loses what the test says.
+class BoardOnABadLine {
+ public:
+  explicit BoardOnABadLine(PseudoTerminal line) : line_(std::move(line)) {
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  }
+  std::atomic<bool> on{false};
+  std::atomic<int> offs_lost{0};    // so many of the next frames that switch off do not arrive
+  std::atomic<bool> silent{false};  // no answer arrives
+
+ private:
+  void run(const std::stop_token& stop) {
+    protocol::QbmoveParser parser;
+    std::array<std::uint8_t, 256> buffer{};
+    while (!stop.stop_requested()) {
+      pollfd ready{.fd = line_.file(), .events = POLLIN, .revents = 0};
+      if (::poll(&ready, 1, 10) <= 0) continue;
+      const ssize_t got = ::read(line_.file(), buffer.data(), buffer.size());
+      for (ssize_t i = 0; i < got; ++i) {
+        if (const auto frame = parser.push(buffer[static_cast<std::size_t>(i)])) take(*frame);
+      }
+    }
+  }
+  void take(const protocol::QbmoveFrame& frame) {
+    namespace qb = protocol::qbmove;
+    const std::array<std::int16_t, 3> zeros{};
+    switch (frame.command) {
+      case qb::kActivate:
+        if (frame.payload[0] == 0 && offs_lost > 0) {
+          --offs_lost;
+        } else {
+          on = frame.payload[0] != 0;
+        }
+        break;
+      case qb::kGetActivate: answer(protocol::qbmoveByteFrame(frame.command, on ? 3 : 0)); break;
+      case qb::kGetMeasurements: answer(protocol::qbmoveFrame(frame.command, zeros)); break;
+      case qb::kGetCurrents: answer(protocol::qbmoveFrame(frame.command, std::span(zeros).first(2))); break;
+      case qb::kPing: answer(protocol::qbmoveFrame(frame.command)); break;
+      default: break;
+    }
+  }
+  void answer(const protocol::QbmoveFrame& frame) {
+    if (silent) return;
+    const protocol::QbmoveBytes bytes = protocol::encode(frame);
+    const auto view = bytes.view();
+    ASSERT_EQ(::write(line_.file(), view.data(), view.size()), static_cast<ssize_t>(view.size()));
+  }
+
+  PseudoTerminal line_;
+  std::jthread thread_;
+};
+
+TEST_F(MotorsOff, AMotorBoardIsToldAgainUntilItSaysThatItIsOff) {
+  auto line = PseudoTerminal::open(folder.file("board"));
+  ASSERT_TRUE(line) << line.error().text();
+  BoardOnABadLine board(std::move(*line));
+  device::QbmoveMotors motors(folder.file("board"), parameters);
+  ASSERT_TRUE(motors.exchange({}));
+  ASSERT_TRUE(motors.exchange({.active = true}));
+  ASSERT_TRUE(board.on);
+  board.offs_lost = 2;
+  for (int i = 0; i < 2; ++i) {
+    const auto told = motors.exchange({});
+    ASSERT_FALSE(told) << "it is on, and said to be well";
+    EXPECT_THAT(told.error().text(), testing::HasSubstr("does not obey: its motors are on"));
+  }
+  EXPECT_TRUE(motors.exchange({}));
+  EXPECT_FALSE(board.on);
+}
+
+TEST_F(MotorsOff, AMotorBoardThatIsHeardNoMoreIsSwitchedOffAllTheSame) {
+  parameters.qbmove_timeout_ms = 20.0;
+  auto line = PseudoTerminal::open(folder.file("board"));
+  ASSERT_TRUE(line) << line.error().text();
+  BoardOnABadLine board(std::move(*line));
+  device::QbmoveMotors motors(folder.file("board"), parameters);
+  for (int i = 0; i < 50 && !motors.exchange({}); ++i) continue;  // a slow machine's answers come late
+  for (int i = 0; i < 50 && !board.on; ++i) {
+    (void)motors.exchange({});
+    (void)motors.exchange({.active = true});
+  }
+  ASSERT_TRUE(board.on);
+  board.silent = true;
+  board.offs_lost = 1;
+  for (int i = 0; i < 8 && board.on; ++i) EXPECT_FALSE(motors.exchange({.active = true}));
+  EXPECT_FALSE(board.on);
 }
 
 TEST_F(MotorsOff, ATouchpadThatDoesNotObeyOffIsSwitchedOffByItsWatchdog) {

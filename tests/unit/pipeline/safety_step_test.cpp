@@ -229,6 +229,18 @@ TEST(SafetyStep, MoreThanFiftyMissedCyclesOfOneSecondHold) {
   }
 }
 
+TEST(SafetyStep, CyclesMissedWhileASecondEndsCountInIt) {
+  Session session;
+  session.arm();
+  ASSERT_EQ(session.steps, 301U);
+  session.run(690);
+  session.inputs.missed_cycles = 30;
+  ASSERT_EQ(session.run(9).telemetry.state, active);
+  ASSERT_EQ(session.steps, 1000U);  // the next one ends the second that began with the first
+  session.inputs.missed_cycles = 60;
+  EXPECT_EQ(session.step().telemetry.fault, Fault::steps_missed);
+}
+
 TEST(SafetyStep, CyclesMissedBeforeTheFirstStepDoNotCount) {
   Session session;
   session.inputs.missed_cycles = 1000;

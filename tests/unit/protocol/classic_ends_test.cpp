@@ -322,6 +322,28 @@ TEST(ClassicTouchpad, SilenceIsLostAfter20msAtOneKilohertz) {
   EXPECT_EQ(pad.end.counters().lost, 1U);
 }
 
+TEST(ClassicTouchpad, ARobotWhoseStatesAreAllDamagedIsAnsweredAndLost) {
+  std::string damaged = text(encodeState({.robot = {.stiffness_N_per_mm = 0.6}}));
+  damaged[1] = '<';  // no command
+  Touchpad pad;
+  static_cast<void>(pad.ack());
+  const auto say = [&](int times) {
+    for (int i = 0; i < times; ++i) {
+      pad.wait(1.0);
+      EXPECT_EQ(pad.take(bytes(damaged)).replies.size(), 1U);
+    }
+  };
+  say(100);
+  EXPECT_EQ(pad.end.phase(), LinkPhase::waiting) << "it has not said a stiffness yet";
+  for (int i = 0; i < 200; ++i) static_cast<void>(pad.state());
+  say(19);
+  EXPECT_EQ(pad.end.phase(), LinkPhase::running);
+  say(2);
+  EXPECT_EQ(pad.end.phase(), LinkPhase::lost);
+  static_cast<void>(pad.state());
+  EXPECT_EQ(pad.end.phase(), LinkPhase::running);
+}
+
 TEST(ClassicTouchpad, SlowRobotIsGivenThreePeriodsUpToTheCap) {
   Touchpad pad;
   static_cast<void>(pad.ack());
@@ -792,7 +814,7 @@ TEST(ClassicTouchpad, FiguresNameEachRefusalWithItsCount) {
       {"wrong separator", 1}, {"unknown command", 1},         {"wrong button", 1},       {"number out of range", 1}};
   EXPECT_EQ(told, expected);
   EXPECT_EQ(figures.refused, 12U);
-  EXPECT_NEAR(figures.silence_ms, 3.0, 1e-9);
+  EXPECT_NEAR(figures.silence_ms, 4.0, 1e-9);  // since the last one that was sound
   EXPECT_GT(figures.period_ms, 0.0);
   EXPECT_EQ(toString(ClassicRefusal::none), "taken");
   EXPECT_EQ(toString(static_cast<ClassicRefusal>(99)), "unknown");

@@ -202,6 +202,19 @@ TEST(LinkEnds, GoodbyeOfTheRobotClosesAndANewHandshakeOpens) {
   EXPECT_EQ(pair.sessions, 2U);
 }
 
+// Its goodbye is lost, and the touchpad must not take what still comes for a robot that follows.
+TEST(LinkEnds, ARobotThatHasSaidGoodbyeSendsNothingMore) {
+  LinkPair pair;
+  ASSERT_TRUE(pair.connect());
+  pair.robot.command(RobotCommand::disconnect);
+  pair.cut = true;
+  pair.run(0.1);
+  ASSERT_EQ(pair.robot.phase(), RobotPhase::closed);
+  pair.cut = false;
+  pair.run(1.0);
+  EXPECT_EQ(pair.touchpad.phase(), LinkPhase::lost);
+}
+
 TEST(LinkEnds, GoodbyeOfTheTouchpadSendsTheRobotBackToCalling) {
   LinkPair pair;
   ASSERT_TRUE(pair.connect());
