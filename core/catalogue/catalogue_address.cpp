@@ -82,6 +82,10 @@ Result<CatalogueAddress> sqlite(const std::string& path) {
 Result<CatalogueAddress> parseCatalogueAddress(std::string_view word) {
   if (word == "none") return CatalogueAddress{.kind = CatalogueAddress::Kind::none, .name = "no catalogue"};
   if (word.starts_with(kPostgresql)) return postgresql(word);
+  if (const auto at = word.find("://"); at != std::string_view::npos) {  // it may hold a password: it is not repeated
+    return fail("catalogue '{}://…': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none",
+                word.substr(0, at));
+  }
   if (word.empty() || word == "sqlite") return sqlite(catalogueFolder() + "/sessions.sqlite");
   if (word.starts_with(kSqlite)) return sqlite(std::string(word.substr(kSqlite.size())));
   if (word.find('/') != std::string_view::npos || word.ends_with(".sqlite")) return sqlite(std::string(word));

@@ -43,7 +43,7 @@ struct RobotCounters {
   std::uint64_t infos = 0;
   std::uint64_t images = 0;
   std::uint64_t motor_references = 0;
-  std::uint64_t lost = 0;           ///< times the touchpad fell silent for too long
+  std::uint64_t lost = 0;           ///< times the touchpad fell silent, or sent no touch, for too long
   std::uint64_t wrong_peer = 0;     ///< not from the touchpad
   std::uint64_t refused = 0;        ///< from the touchpad, not what was due or damaged
   std::uint64_t waited_cycles = 0;  ///< ticks without a state because the last one's replies were still due

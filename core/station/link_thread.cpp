@@ -37,6 +37,7 @@ LinkThread::LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::Tou
                        std::string scene)
     : socket_(std::move(socket)),
       end_(std::move(end)),
+      secured_(secured),
       scene_(std::move(scene)),
       board_text_(protocol::describedWith(kBoardText, scene_)),
       monitor_(device::Part::robot, secured
@@ -96,6 +97,7 @@ void LinkThread::run(const std::stop_token& stop, bool clock_waits) {
     }
     const pipeline::LinkPhase before = end_->phase();
     send(end_->advance(now, answerFrom(said)));
+    if (secured_) image_.clear();  // it is sent once; the classic protocol wants it with each touch
     if (end_->phase() == pipeline::LinkPhase::lost && before != pipeline::LinkPhase::lost) ++newest_.losses;
     newest_.phase = end_->phase();
     snapshot.write(newest_);

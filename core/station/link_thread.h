@@ -64,6 +64,7 @@ class LinkThread {
 
   protocol::UdpSocket socket_;
   std::unique_ptr<protocol::TouchpadEnd> end_;
+  const bool secured_;
   std::string scene_;
   std::string board_text_;
   LinkSnapshot newest_;

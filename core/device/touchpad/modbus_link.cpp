@@ -18,7 +18,6 @@ constexpr std::string_view kTcpPrefix = "modbus-tcp:";
 constexpr std::string_view kRtuPrefix = "modbus-rtu:";
 constexpr std::size_t kLongestSerial = 16;  // characters, of the register map
 constexpr Duration kLongestDrain = std::chrono::milliseconds(500);
-constexpr Duration kByteTimeout = std::chrono::milliseconds(50);
 
 std::string hostOf(const protocol::Endpoint& endpoint) {
   const std::string text = protocol::toString(endpoint);
@@ -143,8 +142,7 @@ Result<void> ModbusLink::open() {
   modbus_set_slave(context, address_.unit);
   modbus_set_error_recovery(context, MODBUS_ERROR_RECOVERY_NONE);
   modbus_set_response_timeout(context, secondsOf(response_timeout_), microsecondsOf(response_timeout_));
-  const Duration byte_timeout = std::min(kByteTimeout, response_timeout_);
-  modbus_set_byte_timeout(context, secondsOf(byte_timeout), microsecondsOf(byte_timeout));
+  modbus_set_byte_timeout(context, 0, 0);  // none: the whole answer within the time above, however it trickles
   if (modbus_connect(context) != 0) {
     const int problem = errno;
     context_.reset();

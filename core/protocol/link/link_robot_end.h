@@ -122,6 +122,8 @@ class LinkRobotEnd final : public RobotEnd {
   std::uint16_t state_sequence_ = 0;
   std::uint16_t touch_sequence_ = 0;
   std::optional<LinkTouch> touch_;
+  LinkTime last_touch_us_ = 0;
+  std::uint64_t lost_at_touch_ = 0;
   Batch<Sample, kMaximumBatch> samples_;
   std::optional<LinkTime> last_sample_us_;
   bool motor_references_on_ = false;

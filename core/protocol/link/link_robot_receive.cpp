@@ -9,6 +9,8 @@ namespace {
 
 using pipeline::RobotCommand;
 
+constexpr double kTouchesMissed = 3.0;  // of a slow line, before a gap is one
+
 }  // namespace
 
 RobotReception LinkRobotEnd::handle(Bytes datagram, const Endpoint& from, Instant now) {
@@ -188,10 +190,19 @@ void LinkRobotEnd::takeTouch(const LinkReceived& received, RobotReception& out) 
     return;
   }
   const LinkTouch& touch = decoded.value;
-  if (touch_ && static_cast<std::int16_t>(touch.sequence - touch_sequence_) <= 0) {
+  // Heartbeats alone do not make touches follow each other: whoever drops or delays only these, and lets them through
+  // again, must not lead the arm to where the finger went meanwhile.
+  const double gap_ms = 1e-3 * static_cast<double>(now_us_ - last_touch_us_);
+  const double longest_ms =
+      std::max(settings_.limits.lost_cap_ms, 1e-3 * kTouchesMissed * static_cast<double>(periodOf(rates_.touch_Hz)));
+  const bool missed = touch_ && gap_ms > longest_ms;
+  if (!missed && touch_ && static_cast<std::int16_t>(touch.sequence - touch_sequence_) <= 0) {
     refuse(LinkRefusal::late);
     return;
   }
+  if (missed && counters_.lost == lost_at_touch_) ++counters_.lost;  // else its silence was counted
+  lost_at_touch_ = counters_.lost;
+  last_touch_us_ = now_us_;
   touch_ = touch;
   touch_sequence_ = touch.sequence;
   ++counters_.touches;

@@ -65,6 +65,8 @@ void LinkTouchpadEnd::passTime(Instant now) {
     return;
   phase_ = nextPhase(phase_, LinkEvent::silence);
   ++counters_.lost;
+  images_.stop();
+  any_state_ = false;  // its numbers may have gone round meanwhile; what is old is refused as replayed or not fresh
 }
 
 void LinkTouchpadEnd::takeSealed(Bytes datagram, const Endpoint& from, const TouchpadAnswer& answer) {
@@ -228,8 +230,10 @@ std::span<const Datagram> LinkTouchpadEnd::advance(Instant now, const TouchpadAn
     next_beat_us_ = next_touch_us_ + period_us / 2;
     if (parameters_.flow_bit_per_s > 0.0) next_beat_us_ += (kTouchesPerBeatOnSlowLine - 1) * period_us;
   }
-  if (images_on_ && !answer.image.empty() && images_.begin(answer.image)) ++counters_.images;
-  for (int i = 0; i < kFragmentsAtOnce && images_on_ && images_.busy(); ++i) {
+  // Not to a robot that is lost: what fills its line would keep it lost.
+  const bool images = images_on_ && (phase_ == LinkPhase::running || phase_ == LinkPhase::paused);
+  if (images && !answer.image.empty() && images_.begin(answer.image)) ++counters_.images;
+  for (int i = 0; i < kFragmentsAtOnce && images && images_.busy(); ++i) {
     outbox_.seal(connection_->sealer(), *peer_, [&](auto out) { return encodeLink(images_.next(), now_us_, out); });
   }
   return outbox_.view();

@@ -238,6 +238,16 @@ TEST(ModbusTouchpad, ASilentDeviceIsNamedWithinTheTimeOutAndComesBack) {
   EXPECT_TRUE(ask());
 }
 
+TEST(ModbusTouchpad, AnAnswerThatTricklesIsCutOffAtTheTimeOut) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice&, int n) { return n == 2 ? ScriptedModbusDevice::kTrickle : 0; });
+  Client ask(device, waiting(500.0));
+  ASSERT_TRUE(ask());
+  const Instant before = Clock::now();
+  EXPECT_THAT(ask().error().text(), HasSubstr("no answer in 500 ms"));
+  EXPECT_LT(Clock::now() - before, std::chrono::seconds(3)) << "the whole answer would take 5.2 s";
+  EXPECT_TRUE(ask());
+}
+
 TEST(ModbusTouchpad, MotorsAreSwitchedOnByARisingCommandOnly) {
   ScriptedModbusDevice device(kGood);
   Client ask(device);

@@ -20,6 +20,7 @@ class ScriptedModbusDevice {
  public:
   static constexpr int kClose = -1;    ///< closes the connection in place of an answer
   static constexpr int kSilence = -2;  ///< sends no answer
+  static constexpr int kTrickle = -3;  ///< begins an answer, a byte every 20 ms, and does not end it
   /// Called for each transaction of function 0x17 with its number from 1, after the write took effect.
   /// @return 0, or an exception code, or one of the above
   using Script = std::function<int(ScriptedModbusDevice& device, int transaction)>;
@@ -94,10 +95,25 @@ class ScriptedModbusDevice {
     }
     if (outcome == kClose) return false;
     if (outcome == kSilence) return true;
+    if (outcome == kTrickle) return trickle(request);
     if (outcome > 0)
       modbus_reply_exception(context_, request, static_cast<unsigned int>(outcome));
     else
       modbus_reply(context_, request, length, mapping_);
+    return true;
+  }
+
+  bool trickle(const std::uint8_t* request) {
+    std::array<std::uint8_t, 259> out{};
+    std::copy_n(request, 4, out.begin());  // transaction and protocol
+    out[5] = 253;                          // bytes to come
+    out[6] = request[6];
+    out[7] = request[7];
+    out[8] = 250;
+    for (const std::uint8_t byte : out) {
+      if (::send(connection_, &byte, 1, MSG_NOSIGNAL) != 1) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
     return true;
   }
 

@@ -186,6 +186,68 @@ TEST(LinkEnds, PicturesArriveWholeThoughFragmentsAreReorderedAndSomeLost) {
   EXPECT_EQ(pair.images, before);
 }
 
+TEST(LinkEnds, ARobotThatIsLostGetsNoPicturesMore) {
+  LinkPair pair;
+  ASSERT_TRUE(pair.connect());
+  const Packet picture(50'000, 0x55);
+  pair.answer.image = picture;
+  pair.robot.command(RobotCommand::images_on);
+  ASSERT_TRUE(pair.runUntil([&] { return pair.images > 3; }, 2.0));
+  pair.lost_on_the_way = [](const Packet&, const Endpoint& from) { return from == LinkPair::kRobot; };
+  ASSERT_TRUE(pair.runUntil([&] { return pair.touchpad.phase() == LinkPhase::lost; }, 1.0));
+  std::size_t largest = 0;
+  pair.on_sent = [&](const Packet& packet, const Endpoint& from) {
+    if (from == LinkPair::kTouchpad) largest = std::max(largest, packet.size());
+  };
+  pair.run(0.5);
+  EXPECT_GT(largest, 0U) << "touches go on, for it to be heard again";
+  EXPECT_LT(largest, 200U);
+  pair.lost_on_the_way = nullptr;
+  const auto before = pair.images;
+  EXPECT_TRUE(pair.runUntil([&] { return pair.images > before + 3; }, 2.0));
+}
+
+// Somebody on the line drops the touches only, which their length tells, and lets them pass again.
+TEST(LinkEnds, TouchesThatAloneStayedAwayAreAGapOfTheRobots) {
+  for (const bool long_gap : {false, true}) {
+    LinkPair pair;
+    ASSERT_TRUE(pair.connect());
+    std::size_t touch_bytes = 0;
+    pair.on_sent = [&](const Packet& packet, const Endpoint& from) {
+      if (from == LinkPair::kTouchpad) touch_bytes = std::max(touch_bytes, packet.size());
+    };
+    pair.run(0.5);
+    const auto touches = pair.touches;
+    pair.lost_on_the_way = [&](const Packet& packet, const Endpoint& from) {
+      return from == LinkPair::kTouchpad && packet.size() == touch_bytes;
+    };
+    pair.run(long_gap ? 0.3 : 0.05);
+    EXPECT_EQ(pair.robot.phase(), RobotPhase::running) << "heartbeats come";
+    EXPECT_LE(pair.touches, touches + 3);
+    EXPECT_EQ(pair.robot.counters().lost, 0U);
+    pair.lost_on_the_way = nullptr;
+    pair.run(0.3);
+    EXPECT_GT(pair.touches, touches + 10);
+    EXPECT_EQ(pair.robot.counters().lost, long_gap ? 1U : 0U);
+  }
+}
+
+// So long that a 16-bit number of the states goes half round.
+TEST(LinkEnds, AfterALongOutageOfOneWayTheNextStateIsTaken) {
+  LinkRobotSettings settings;
+  settings.rates.state_Hz = 1000.0;
+  LinkPair pair({}, settings);
+  ASSERT_TRUE(pair.connect());
+  pair.lost_on_the_way = [](const Packet&, const Endpoint& from) { return from == LinkPair::kRobot; };
+  pair.run(40.0);
+  ASSERT_EQ(pair.touchpad.phase(), LinkPhase::lost);
+  ASSERT_EQ(pair.robot.phase(), RobotPhase::running);
+  pair.lost_on_the_way = nullptr;
+  pair.run(0.2);
+  EXPECT_EQ(pair.touchpad.phase(), LinkPhase::running);
+  EXPECT_EQ(pair.sessions, 1U);
+}
+
 TEST(LinkEnds, GoodbyeOfTheRobotClosesAndANewHandshakeOpens) {
   LinkPair pair;
   ASSERT_TRUE(pair.connect());

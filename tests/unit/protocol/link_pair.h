@@ -123,6 +123,7 @@ class LinkPair {
   RobotReport report;
   std::function<void()> on_step;
   std::function<void(const Packet&, const Endpoint&)> on_sent;  // bytes and their sender
+  std::function<bool(const Packet&, const Endpoint&)> lost_on_the_way;
 
   std::vector<texture::AccelerationSample> samples;
   std::vector<pipeline::RobotCommand> commands;
@@ -151,7 +152,7 @@ class LinkPair {
     for (const Datagram& datagram : datagrams) {
       const Packet bytes(datagram.bytes.begin(), datagram.bytes.end());
       if (on_sent) on_sent(bytes, from);
-      if (cut || chance() < weather.loss) continue;
+      if (cut || (lost_on_the_way && lost_on_the_way(bytes, from)) || chance() < weather.loss) continue;
       double delay_ms = weather.delay_ms + weather.jitter_ms * chance();
       if (chance() < weather.reorder) delay_ms += 30.0;
       const Instant arrival = now + fromSeconds(1e-3 * delay_ms);
