@@ -213,6 +213,7 @@ void runStation(const StationOptions& options) {
   }
   drain();
   const SessionFigures at_end = figures;
+  station->requestStop();  // closing a recording on a slow disk takes seconds
   if (station->recorderStatus().state == recording::RecorderState::recording) (void)station->stopRecording();
   reportStation(options, at_end, *station);
   station->shutDown();

@@ -37,7 +37,10 @@ constexpr Duration kWriteLimit = std::chrono::milliseconds(50);
 std::string groupOf(const std::string& path) {
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) return "dialout";
-  const group* owner = ::getgrgid(info.st_gid);
+  group entry{};
+  group* owner = nullptr;
+  std::array<char, 4096> names{};
+  ::getgrgid_r(info.st_gid, &entry, names.data(), names.size(), &owner);  // threads of several devices may ask
   return owner != nullptr ? owner->gr_name : std::to_string(info.st_gid);
 }
 

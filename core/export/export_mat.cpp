@@ -137,7 +137,8 @@ Result<ExportResult> exportMat(const recording::Recording& recording, const std:
 
   done = writeVariables(file->temporary(), path, variables);
   // libmatio does not detect every failed write; the file's size does.
-  if (done && std::filesystem::file_size(file->temporary()) < payload) {
+  std::error_code gone;
+  if (const auto size = std::filesystem::file_size(file->temporary(), gone); done && (gone || size < payload)) {
     done = fail("{}: not all of it could be written; is the disk full?", path);
   }
   if (done) done = recording::tellProgress(options.progress, 1.0);

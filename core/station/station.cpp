@@ -6,6 +6,8 @@
 
 #include "core/base/codecs/codecs.h"
 #include "core/base/profile_text.h"
+#include "core/device/camera/camera_source.h"
+#include "core/device/camera/capture_camera.h"
 #include "core/device/touchpad/reading_values.h"
 #include "core/scene/scene_stage.h"
 #include "core/station/haptic_thread.h"
@@ -28,7 +30,7 @@ bool clockWaits(const StationOptions& options, const RobotChoice& robot) {
 
 recording::StationDescription describeForRecording(const StationOptions& options, bool clock_waits) {
   return {.touchpad = options.touchpad + (options.motors.empty() ? "" : " with " + options.motors),
-          .camera = options.camera.empty() ? std::string(kSimulated) : options.camera,
+          .camera = options.camera.empty() ? std::string(kSimulated) : device::withoutSecrets(options.camera),
           .robot = options.robot,
           .lateness = clock_waits ? recording::kLatenessWaits : recording::kLatenessFault};
 }
@@ -50,7 +52,7 @@ struct Station::Impl {
         simulated_camera(options.camera.empty()),
         clock_waits(everything_simulated),
         touchpad(std::move(opened_touchpad), options.profile.device, everything_simulated),
-        camera(options.camera.empty() ? say("simulated camera") : verbatim(options.camera),
+        camera(options.camera.empty() ? say("simulated camera") : verbatim(device::withoutSecrets(options.camera)),
                cameraOpener(options, world, playback, everything_simulated), options.profile.step.sensing.finger,
                options.profile.device) {
     camera.observe([this](const CameraView& view) { onPicture(view); });
@@ -105,6 +107,7 @@ recording::StationSource Station::Impl::recorderSource() {
               [this](const pipeline::Parameters& step) {
                 Profile recorded = profile;
                 recorded.step = step;
+                recorded.sources.camera = device::withoutSecrets(recorded.sources.camera);
                 return formatProfile(bindParameters(recorded));
               },
           .link = [this]() -> std::optional<recording::LinkRow> {
@@ -129,6 +132,7 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   if (options.camera.empty() && replay::recordingOf(options.touchpad)) options.camera = options.touchpad;
   const auto bound = bindToTouchpad(options);
   if (!bound) return tl::unexpected(bound.error());
+  device::prepareCaptures();
   if (const auto loaded = codecs::load(); !loaded) return tl::unexpected(loaded.error());  // not in the camera's thread
   cv::setNumThreads(1);  // replay must not depend on how many cores there are
   auto finger = readFinger(options.finger_csv);
@@ -174,7 +178,10 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   if (local->scene) impl->stage = std::make_shared<scene::SceneStage>(local->scene->loaded());
   impl->recorder.start();
   if (options.record) {
-    if (auto begun = impl->recorder.begin(*options.record); !begun) return tl::unexpected(begun.error());
+    if (auto begun = impl->recorder.begin(*options.record); !begun) {
+      impl->recorder.shutDown();  // before what it asks: a slow disk's answer may still come
+      return tl::unexpected(begun.error());
+    }
   }
   return std::unique_ptr<Station>(new Station(std::move(impl)));
 }
@@ -193,6 +200,7 @@ void Station::start() {
 }
 
 void Station::shutDown() {
+  requestStop();  // the motors first: the robot may brake for seconds
   if (impl_->robot) impl_->robot->shutDown();
   impl_->haptic.shutDown();
   impl_->touchpad.shutDown();

@@ -8,6 +8,7 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "core/base/codecs/codecs.h"
+#include "core/device/camera/camera_source.h"
 
 namespace fyd::device {
 namespace {
@@ -16,19 +17,6 @@ constexpr Duration kRetryAfter = std::chrono::seconds(1);
 constexpr Duration kLongestDamage = std::chrono::seconds(1);
 constexpr int kOpenTimeout_ms = 3000;
 constexpr int kReadTimeout_ms = 1000;
-
-/// Switches off OpenCV's and FFmpeg's messages to the console: failures are returned as errors. Makes OpenCV take
-/// camera controls as shares of their range, which means the same for every camera.
-void prepareOpenCv() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-    // NOLINTBEGIN(concurrency-mt-unsafe): before any capture exists
-    ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
-    ::setenv("OPENCV_VIDEOIO_V4L_RANGE_NORMALIZED", "1", 1);
-    // NOLINTEND(concurrency-mt-unsafe)
-  });
-}
 
 /// Whether OpenCV's code for a codec (four characters) is one of JPEG pictures.
 bool meansJpeg(double fourcc) {
@@ -41,8 +29,19 @@ bool meansJpeg(double fourcc) {
 
 }  // namespace
 
+void prepareCaptures() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    // NOLINTBEGIN(concurrency-mt-unsafe): before there are threads
+    ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+    ::setenv("OPENCV_VIDEOIO_V4L_RANGE_NORMALIZED", "1", 1);
+    // NOLINTEND(concurrency-mt-unsafe)
+  });
+}
+
 Result<std::unique_ptr<Camera>> CaptureCamera::open(const CaptureChoice& choice, const DeviceParameters& parameters) {
-  prepareOpenCv();
+  prepareCaptures();
   std::unique_ptr<CaptureCamera> camera(new CaptureCamera(choice, parameters));
   if (const auto opened = camera->openCapture(); !opened) return tl::unexpected(opened.error());
   if (choice.kind == CaptureKind::video) {
@@ -54,11 +53,11 @@ Result<std::unique_ptr<Camera>> CaptureCamera::open(const CaptureChoice& choice,
 
 Message CaptureCamera::name() const {
   switch (kind_) {
-    case CaptureKind::device: return say("camera device '{}'", source_);
-    case CaptureKind::video: return say("video file '{}'", source_);
-    case CaptureKind::stream: return say("camera stream '{}'", source_);
+    case CaptureKind::device: return say("camera device '{}'", shown_);
+    case CaptureKind::video: return say("video file '{}'", shown_);
+    case CaptureKind::stream: return say("camera stream '{}'", shown_);
   }
-  return verbatim(source_);
+  return verbatim(shown_);
 }
 
 Message CaptureCamera::kind() const {
@@ -149,10 +148,7 @@ CaptureCamera::Got CaptureCamera::read(cv::Mat& picture) {
   cv::Mat bytes;
   if (!grab(jpegs_ ? bytes : picture)) return Got::nothing;
   if (!jpegs_) return Got::picture;
-  auto decoded = decodeJpeg({bytes.data, bytes.total() * bytes.elemSize()});
-  if (decoded && !size_.empty() && decoded->size() != size_) {
-    decoded = fail("{} × {} pixels, expected {} × {}", decoded->cols, decoded->rows, size_.width, size_.height);
-  }
+  auto decoded = decodeJpeg({bytes.data, bytes.total() * bytes.elemSize()}, size_);
   watch_.saw(!decoded);
   if (!decoded) {
     damage_ = decoded.error().message;

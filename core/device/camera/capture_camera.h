@@ -23,6 +23,11 @@ struct CaptureChoice {
   std::optional<int> number;  ///< of a device; for the other kinds, and for devices by path, unused
 };
 
+/// Switches off OpenCV's and FFmpeg's messages to the console: failures are returned as errors. Makes OpenCV take
+/// camera controls as shares of their range, which means the same for every camera. Does so in the environment, so it is
+/// called before there are threads.
+void prepareCaptures();
+
 class CaptureCamera final : public Camera {
  public:
   /// @return an error when it does not open, or (video) holds no picture
@@ -43,6 +48,7 @@ class CaptureCamera final : public Camera {
   CaptureCamera(const CaptureChoice& choice, const DeviceParameters& parameters)
       : kind_(choice.kind),
         source_(choice.source),
+        shown_(withoutSecrets(choice.source)),
         number_(choice.number),
         settings_(cameraSettings(parameters)),
         by_id_(folderOr(parameters.cameras_by_id, kCamerasById)),
@@ -60,6 +66,7 @@ class CaptureCamera final : public Camera {
 
   CaptureKind kind_;
   std::string source_;
+  std::string shown_;  // without a password
   std::optional<int> number_;
   CameraSettings settings_;
   std::string by_id_;  // folder of the stable device names

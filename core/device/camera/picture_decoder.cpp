@@ -23,7 +23,7 @@ bool isJpeg(std::span<const std::uint8_t> bytes) { return bytes.size() > 1 && by
 
 }  // namespace
 
-Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes) {
+Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes, cv::Size expected) {
   // A new decoder each time: an old one would decode a picture that lost its tables with those of the picture before.
   const Decoder decoder(tjInitDecompress());
   if (!decoder) return fail("no JPEG decoder: {}", verbatim(tjGetErrorStr2(nullptr)));
@@ -37,6 +37,9 @@ Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes) {
   }
   if (std::int64_t{width} * height > kMostPixels) {
     return fail("{} × {} pixels, expected at most {}", width, height, kMostPixels);
+  }
+  if (!expected.empty() && cv::Size(width, height) != expected) {
+    return fail("{} × {} pixels, expected {} × {}", width, height, expected.width, expected.height);
   }
   const bool grey = colours == TJCS_GRAY;
   cv::Mat picture(height, width, grey ? CV_8UC1 : CV_8UC3);

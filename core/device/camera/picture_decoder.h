@@ -16,9 +16,10 @@
 
 namespace fyd::device {
 
-/// @return 8 bit, grey or BGR as the file says; or an error: damaged, cut short, no JPEG, or of more than 32 million
-///         pixels
-[[nodiscard]] Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes);
+/// @param expected size; empty: any. Another one is refused by the head, before anything is decoded
+/// @return 8 bit, grey or BGR as the file says; or an error: damaged, cut short, no JPEG, of another size, or of more than
+///         32 million pixels
+[[nodiscard]] Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes, cv::Size expected = {});
 
 /// A picture from a file, 8 bit, grey or BGR as the file says.
 /// @return an error that names the file when it cannot be read or its picture is damaged or cut short

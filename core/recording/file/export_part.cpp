@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <string>
 #include <system_error>
 
 #include "core/base/system_reason.h"
@@ -38,6 +40,15 @@ bool isAbandoned(int file, const char* path) {
   return ::lstat(path, &named) == 0 && named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
 }
 
+/// Without changing it, as umask() does: exports of two threads would leave each other's.
+mode_t umaskOfProcess() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("Umask:")) return static_cast<mode_t>(std::stoul(line.substr(6), nullptr, 8));
+  }
+  return 022;
+}
+
 }  // namespace
 
 Result<ExportPart> makeExportPart(const std::filesystem::path& wanted) {
@@ -54,9 +65,7 @@ Result<ExportPart> makeExportPart(const std::filesystem::path& wanted) {
       continue;
     }
     // mkstemp gives 0600; what a user exports is readable as their other files are.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::fchmod(file, 0666 & ~mask);
+    ::fchmod(file, 0666 & ~umaskOfProcess());
     return ExportPart{std::move(name), file};
   }
   return fail("{}: cannot be written: another program takes its part files away", wanted.string());

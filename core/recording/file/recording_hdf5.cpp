@@ -19,8 +19,31 @@ std::string reason() {
 
 }  // namespace
 
-std::unique_lock<std::recursive_mutex> hdf5Lock() {
-  static std::recursive_mutex mutex;
+void FairMutex::lock() {
+  const std::thread::id self = std::this_thread::get_id();
+  if (owner_ == self) {
+    ++depth_;
+    return;
+  }
+  std::unique_lock lock(mutex_);
+  const std::uint64_t turn = next_++;
+  changed_.wait(lock, [&] { return turn == serving_; });
+  owner_ = self;
+  depth_ = 1;
+}
+
+void FairMutex::unlock() {
+  if (--depth_ > 0) return;
+  owner_ = std::thread::id();
+  {
+    const std::lock_guard lock(mutex_);
+    ++serving_;
+  }
+  changed_.notify_all();
+}
+
+std::unique_lock<FairMutex> hdf5Lock() {
+  static FairMutex mutex;
   std::unique_lock lock(mutex);
   thread_local const bool kQuiet = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;  // its reasons go into our errors
   (void)kQuiet;

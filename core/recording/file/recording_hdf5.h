@@ -4,6 +4,8 @@
 
 #include <hdf5.h>
 
+#include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -12,6 +14,7 @@
 #include <new>
 #include <span>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -19,8 +22,24 @@
 
 namespace fyd::recording {
 
+/// A recursive mutex that goes to whoever waits longest. A plain one is taken again by who has just let go of it, before
+/// a waiting thread is awake: a long verification would keep the recorder away from the disk for seconds.
+class FairMutex {
+ public:
+  void lock();
+  void unlock();
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::uint64_t next_ = 0;
+  std::uint64_t serving_ = 0;
+  std::atomic<std::thread::id> owner_{};
+  int depth_ = 0;  // the owner's
+};
+
 /// Every call into HDF5 of this process holds this lock, calls by other users of the library (matio) too.
-[[nodiscard]] std::unique_lock<std::recursive_mutex> hdf5Lock();
+[[nodiscard]] std::unique_lock<FairMutex> hdf5Lock();
 
 struct RecordingFailure : std::exception {
   explicit RecordingFailure(Message why) : message(std::move(why)) {}

@@ -171,6 +171,16 @@ TEST(PictureDecoder, WholeJpegsOfEveryUsualKindAreRead) {
   }
 }
 
+TEST_F(CameraSource, ThePasswordOfAUrlIsNotShown) {
+  EXPECT_EQ(withoutSecrets("rtsp://lab:s3cret@10.0.0.5/live"), "rtsp://10.0.0.5/live");
+  EXPECT_EQ(withoutSecrets("http://lab:s3cr@et@camera:8080"), "http://camera:8080");
+  EXPECT_EQ(withoutSecrets("rtsp://lab@[::1]:554/a@b?c=d@e"), "rtsp://[::1]:554/a@b?c=d@e");
+  for (const char* whole :
+       {"rtsp://10.0.0.5/a@b", "http://camera?user=a@b", "/dev/video0", "id=A@B", "press@home.avi", ""}) {
+    EXPECT_EQ(withoutSecrets(whole), whole);
+  }
+}
+
 TEST(PictureDecoder, HostileSizesAndNoJpegAreRefused) {
   std::vector<std::uint8_t> bytes = jpegOf(1);
   for (std::size_t i = 0; i + 8 < bytes.size(); ++i) {
@@ -179,6 +189,7 @@ TEST(PictureDecoder, HostileSizesAndNoJpegAreRefused) {
     break;
   }
   EXPECT_THAT(decodeJpeg(bytes).error().text(), HasSubstr("65278 × 65278 pixels, expected at most"));
+  EXPECT_THAT(decodeJpeg(jpegOf(1), {10, 10}).error().text(), HasSubstr("pixels, expected 10 × 10"));
   EXPECT_FALSE(decodeJpeg({}));
   const std::array<std::uint8_t, 4> start = {0xFF, 0xD8, 0xFF, 0xE0};
   EXPECT_FALSE(decodeJpeg(start));

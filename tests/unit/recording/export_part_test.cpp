@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <fstream>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "core/recording/file/export_file.h"
@@ -45,6 +48,27 @@ pid_t exportForEver(const std::string& path) {
   ::close(ready[0]);
   ::close(ready[1]);
   return said == 'y' ? child : -1;
+}
+
+TEST(ExportPart, HasTheUsersRightsAndLeavesThemToOthers) {
+  const samples::Folder folder;
+  const mode_t before = ::umask(027);
+  std::atomic<int> wrong{0};
+  {
+    std::vector<std::jthread> exports;
+    for (int thread = 0; thread < 4; ++thread) {
+      exports.emplace_back([&, thread] {
+        for (int i = 0; i < 200; ++i) {
+          const std::string path = folder.file("export " + std::to_string(thread) + ".csv");
+          auto file = ExportFile::create(path, true);
+          struct stat info {};
+          if (!file || !file->commit() || ::stat(path.c_str(), &info) != 0 || (info.st_mode & 0777) != 0640) ++wrong;
+        }
+      });
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(::umask(before), mode_t{027});
 }
 
 TEST(ExportPart, OfAKilledProgramGoesWithTheNextExportAndOneOfALivingProgramStays) {
