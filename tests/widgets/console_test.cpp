@@ -82,6 +82,46 @@ class ConsoleTest : public QObject {
     QTest::keyRelease(arm, Qt::Key_Space);
   }
 
+  void aStopDuringAHoldArmsNothingThoughKeyOrMouseStaysDown() {
+    Fixture f;
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    widgets::HoldButton* arm = f.window->stateBar()->armButton();
+    QWindow* keyboard = f.window->windowHandle();  // by way of shortcuts and filters to what has the focus
+    arm->setFocus();
+    const auto stops = {
+        std::function([&] { QTest::keyClick(keyboard, Qt::Key_Escape); }),
+        std::function([&] { f.window->commands().action(QStringLiteral("session.stop"))->trigger(); }),
+    };
+    for (const auto& stop : stops) {
+      const int before = f.session->stops;
+      QTest::keyPress(keyboard, Qt::Key_Space);
+      stop();
+      QVERIFY(f.session->stops > before);
+      QCOMPARE(arm->progress(), 0.0);
+      passTimers(widgets::HoldButton::kHold_ms + 200);
+      QCOMPARE(f.session->count(OperatorAction::arm), 0);
+      QTest::keyRelease(keyboard, Qt::Key_Space);
+    }
+    QTest::mousePress(arm, Qt::LeftButton);
+    QTest::keyClick(keyboard, Qt::Key_Escape);
+    const QPointF beside = QRectF(arm->rect()).center() + QPointF(2, 0);
+    QMouseEvent moved(QEvent::MouseMove, beside, arm->mapToGlobal(beside), Qt::NoButton, Qt::LeftButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(arm, &moved);  // a hand trembles
+    passTimers(widgets::HoldButton::kHold_ms + 200);
+    QCOMPARE(f.session->count(OperatorAction::arm), 0);
+    QTest::mouseRelease(arm, Qt::LeftButton);
+    // Pressed anew, by either, it arms.
+    QTest::mousePress(arm, Qt::LeftButton);
+    WAIT_EQUAL(f.session->count(OperatorAction::arm), 1);
+    QTest::mouseRelease(arm, Qt::LeftButton);
+    QTest::keyClick(keyboard, Qt::Key_Escape);
+    QTest::keyPress(keyboard, Qt::Key_Space);
+    WAIT_EQUAL(f.session->count(OperatorAction::arm), 2);
+    QTest::keyRelease(keyboard, Qt::Key_Space);
+  }
+
   void spacePausesAndFFollowsButNotWhileTyping() {
     Fixture f;
     widgets::CurveView* curves = f.window->operate()->curves();

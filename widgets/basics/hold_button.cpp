@@ -28,7 +28,7 @@ double HoldButton::progress() const {
 }
 
 void HoldButton::begin() {
-  if (holding_ || engaged_ || !isEnabled()) return;
+  if (holding_ || engaged_ || stopped_ || !isEnabled()) return;
   holding_ = true;
   held_for_.start();
   timer_.start();
@@ -44,6 +44,11 @@ void HoldButton::cancel() {
     engaged_ = false;
     emit letGo();
   }
+}
+
+void HoldButton::stop() {
+  stopped_ = true;
+  cancel();
 }
 
 void HoldButton::tick() {
@@ -64,10 +69,14 @@ bool HoldButton::event(QEvent* event) {
 
 void HoldButton::keyPressEvent(QKeyEvent* event) {
   if (!isPressKey(*event)) {
+    if (event->key() == Qt::Key_Escape) stop();
     QPushButton::keyPressEvent(event);
     return;
   }
-  if (!event->isAutoRepeat()) begin();
+  if (!event->isAutoRepeat()) {
+    stopped_ = false;
+    begin();
+  }
   event->accept();
 }
 
@@ -83,6 +92,11 @@ void HoldButton::keyReleaseEvent(QKeyEvent* event) {
 void HoldButton::focusOutEvent(QFocusEvent* event) {
   cancel();
   QPushButton::focusOutEvent(event);
+}
+
+void HoldButton::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) stopped_ = false;
+  QPushButton::mousePressEvent(event);
 }
 
 void HoldButton::mouseMoveEvent(QMouseEvent* event) {

@@ -1,6 +1,6 @@
 // A button that acts only after it was held for a while, by mouse or by key: so that motion starts
-// only deliberately. Letting go early, leaving the button or losing the focus cancels it. The progress is drawn in the
-// button. What is to last only while the button is held ends with `letGo`.
+// only deliberately. Letting go early, leaving the button, losing the focus or Esc cancels it. The progress is drawn in
+// the button. What is to last only while the button is held ends with `letGo`.
 #pragma once
 
 #include <QElapsedTimer>
@@ -19,11 +19,14 @@ class HoldButton : public QPushButton {
   [[nodiscard]] double progress() const;
   /// It has acted and is still held.
   [[nodiscard]] bool engaged() const { return engaged_; }
+  /// As at a stop: ends the hold. A key or a mouse button that is still down, even one that comes back to the button,
+  /// begins no other: it must be released and pressed again.
+  void stop();
 
  signals:
   /// Once for each hold.
   void held();
-  /// After `held`: released, left, hidden, disabled, or the focus is elsewhere.
+  /// After `held`: released, left, hidden, disabled, stopped, or the focus is elsewhere.
   void letGo();
 
  protected:
@@ -31,6 +34,7 @@ class HoldButton : public QPushButton {
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void changeEvent(QEvent* event) override;
   void hideEvent(QHideEvent* event) override;
@@ -45,6 +49,7 @@ class HoldButton : public QPushButton {
   QTimer timer_;
   bool holding_ = false;
   bool engaged_ = false;
+  bool stopped_ = false;  ///< since the button was pressed last
 };
 
 }  // namespace fyd::widgets

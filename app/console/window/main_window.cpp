@@ -323,6 +323,7 @@ void MainWindow::remember() {
 void MainWindow::stop() {
   arm_once_ = false;
   session_->requestStop();
+  for (widgets::HoldButton* button : findChildren<widgets::HoldButton*>()) button->stop();
 }
 
 void MainWindow::ask(pipeline::OperatorAction action) {
