@@ -122,6 +122,28 @@ class ConsoleTest : public QObject {
     QTest::keyRelease(keyboard, Qt::Key_Space);
   }
 
+  void whatDoesNotKeepFromArmingIsNotSaidToBeMissing() {
+    Fixture f;
+    const station::ReadinessLine uncalibrated{.what = say("Calibrated on this touchpad"),
+                                              .ok = false,
+                                              .why = say("the profile's values are another touchpad's"),
+                                              .remedy = say("It does not keep you from arming.")};
+    f.session->lines = {uncalibrated};
+    f.session->say(SafetyState::stopped);
+    f.window->feed().pump();
+    QCOMPARE(f.window->stateBar()->stateReason(),
+             QStringLiteral("Stopped by the operator; motors off. Hold Re-arm to start again."));
+    f.session->lines = {uncalibrated,
+                        {.what = say("Robot connected"),
+                         .ok = false,
+                         .why = say("the robot is silent"),
+                         .remedy = say("Check the network."),
+                         .fault = pipeline::Fault::robot_lost}};
+    f.window->feed().pump();
+    QVERIFY2(f.window->stateBar()->stateReason().contains(QLatin1String("Missing now: The robot is silent.")),
+             qPrintable(f.window->stateBar()->stateReason()));
+  }
+
   void spacePausesAndFFollowsButNotWhileTyping() {
     Fixture f;
     widgets::CurveView* curves = f.window->operate()->curves();

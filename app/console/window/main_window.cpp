@@ -346,7 +346,9 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
 }
 
 void MainWindow::takeReadiness(const std::vector<widgets::ReadinessRow>& rows) {
-  const auto unmet = std::ranges::find(rows, false, &widgets::ReadinessRow::ok);
+  // A row without a fault, as one of an old calibration, does not keep from arming.
+  const auto unmet = std::ranges::find_if(
+      rows, [](const widgets::ReadinessRow& row) { return !row.ok && row.fault != pipeline::Fault::none; });
   stateBar()->showMissing(unmet == rows.end()
                               ? widgets::MissingNow{}
                               : widgets::MissingNow{.why = unmet->why, .remedy = unmet->remedy, .fault = unmet->fault});
