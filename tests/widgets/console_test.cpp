@@ -313,6 +313,22 @@ class ConsoleTest : public QObject {
     WAIT_EQUAL(f.window->stateBar()->stateWord(), QStringLiteral("Unknown"));
   }
 
+  void missedCyclesAreNoneWhenAnotherSessionCountsAnew() {
+    Fixture f;
+    QString loop;
+    connect(&f.window->feed(), &console::SessionFeed::parts, this, [&](const std::vector<widgets::PartView>& parts) {
+      for (const widgets::PartView& part : parts) {
+        if (part.icon == QStringLiteral("loop")) loop = part.figures;
+      }
+    });
+    f.session->now.loop.missed_cycles = 40;
+    f.window->start();
+    WAIT_EQUAL(loop, QStringLiteral("1 kHz · 4.0 % missed"));
+    f.session->now = {};  // what a session says whose station has gone
+    WAIT_FOR(loop != QStringLiteral("1 kHz · 4.0 % missed"));
+    QCOMPARE(loop, QStringLiteral("1 kHz · 0.0 % missed"));
+  }
+
   void missingCameraTeaches() {
     Fixture f;
     f.session->now.parts = {{.part = device::Part::camera,

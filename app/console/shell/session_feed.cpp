@@ -71,8 +71,9 @@ void SessionFeed::lookAtParts() {
   const station::StationStatus status = session_.status();
   constexpr qint64 kSecond_ms = 1000;
   if (since_missed_.isValid() && since_missed_.elapsed() >= kSecond_ms) {
-    missed_now_ = static_cast<double>(status.loop.missed_cycles - last_missed_);
-    last_missed_ = status.loop.missed_cycles;
+    const std::uint64_t missed = status.loop.missed_cycles;  // fewer than before: another session, or a closed one
+    missed_now_ = missed > last_missed_ ? static_cast<double>(missed - last_missed_) : 0.0;
+    last_missed_ = missed;
     since_missed_.start();
   }
   emit parts(toParts(status, missed_now_, session_.telemetryLost()));
