@@ -92,6 +92,36 @@ class ReviewTest : public QObject {
     QCOMPARE(f.page->figures()->item(2, 5)->text(), QString(widgets::kNoValue));  // no stiffness before the touch
   }
 
+  void figuresOfABehindBStandUnderTheirNamesAndGoWithTheMarks() {
+    ReviewFixture f;
+    const QString other = makeRecording(f.folder, QStringLiteral("other.h5"), 3000);
+    f.openByPath();
+    console::FiguresTable* table = f.page->figures();
+    const auto heading = [&] { return table->horizontalHeaderItem(0)->text(); };
+    const QString none = heading();
+    const auto mark = [&] {
+      f.page->player()->goTo(1.5);
+      f.key(Qt::Key_BracketLeft);
+      f.page->player()->goTo(0.5);
+      f.key(Qt::Key_BracketRight);
+      WAIT_EQUAL(table->rowCount(), 5);
+    };
+    mark();
+    QCOMPARE(table->item(0, 1)->text(), QStringLiteral("1.500"));       // at A
+    QCOMPARE(table->item(0, 2)->text(), QStringLiteral("0.500"));       // at B
+    QCOMPARE(table->item(0, 3)->text(), widgets::numberText(-1.0, 3));  // B − A
+    QCOMPARE(table->item(0, 4)->text(), QStringLiteral("1.000"));       // N/s, whichever mark is first
+    QCOMPARE(heading(), QStringLiteral("Δt %1 s").arg(widgets::numberText(-1.0, 3)));
+    f.key(Qt::Key_Backslash);
+    QCOMPARE(table->rowCount(), 0);
+    QCOMPARE(heading(), none);
+    mark();
+    QVERIFY(heading() != none);
+    QVERIFY(f.page->open(other));
+    QCOMPARE(table->rowCount(), 0);
+    QCOMPARE(heading(), none);
+  }
+
   void aNoteStandsBesideTheFileAndTheRecordingIsUnchanged() {
     ReviewFixture f;
     f.openByPath();

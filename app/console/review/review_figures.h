@@ -17,8 +17,8 @@ struct StretchFigures {
   double rms = pipeline::kNone;
 };
 
-/// One for each of kReviewQuantities, from every committed sample from A to B, both included; samples without a value
-/// are left out. Reads in blocks; returns an error when `progress` cancels it.
+/// One for each of kReviewQuantities, from every committed sample between A and B, both included and either first;
+/// samples without a value are left out. Reads in blocks; returns an error when `progress` cancels it.
 [[nodiscard]] Result<std::vector<StretchFigures>> figuresBetween(const recording::Recording& recording, double a_s,
                                                                  double b_s, const recording::Progress& progress);
 

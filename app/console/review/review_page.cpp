@@ -375,6 +375,7 @@ void ReviewPage::addCommands(PlaceCommands& commands) {
   add("review.clear_marks", QT_TRANSLATE_NOOP("Commands", "Take A and B away"), "", "\\", [this] {
     curves_->stack()->clearMarks();
     showMarks();
+    tabs_->clearFigures();
   });
   curve_tools_->addCommands(commands, "review", kMenu, [this] {
     exports_->exportShown(*curves_, curve_tools_->saver().pathFor(QStringLiteral("csv")));

@@ -110,7 +110,13 @@ FiguresTable::FiguresTable(QWidget* parent)
   setEmptyText(tr("Put the cursor somewhere and press [ for A, elsewhere and press ] for B."));
 }
 
-void FiguresTable::setFigures(const std::vector<StretchFigures>& figures) {
+void FiguresTable::clearFigures() {
+  setRowCount(0);
+  horizontalHeaderItem(0)->setText(tr("Between A and B"));
+}
+
+void FiguresTable::setFigures(const std::vector<StretchFigures>& figures, double b_after_a_s) {
+  horizontalHeaderItem(0)->setText(tr("Δt %1 s").arg(numberText(b_after_a_s, 3)));
   setRowCount(static_cast<int>(figures.size()));
   for (int i = 0; i < rowCount(); ++i) {
     const StretchFigures& f = figures[static_cast<std::size_t>(i)];

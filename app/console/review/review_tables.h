@@ -48,8 +48,9 @@ class FiguresTable : public ReviewTable {
   Q_OBJECT
  public:
   explicit FiguresTable(QWidget* parent = nullptr);
-  /// One row for each of kReviewQuantities; empty: none yet.
-  void setFigures(const std::vector<StretchFigures>& figures);
+  /// One row for each of kReviewQuantities. @param b_after_a_s < 0 when B lies before A
+  void setFigures(const std::vector<StretchFigures>& figures, double b_after_a_s);
+  void clearFigures();
 };
 
 struct NoteLine {

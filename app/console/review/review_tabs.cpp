@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "widgets/basics/core_text.h"
-#include "widgets/basics/number_text.h"
 #include "widgets/basics/theme.h"
 
 namespace fyd::console {
 namespace {
 
 using widgets::kGrid;
-using widgets::numberText;
 using widgets::Severity;
 
 constexpr int kAtLeast = 44 * kGrid;  // every tab
@@ -60,7 +58,7 @@ QWidget* ReviewTabs::buildTouches() {
 
 void ReviewTabs::open(const QString& path) {
   path_ = path;
-  figures_table_->setFigures({});
+  clearFigures();
   showTouches({});
   what_if_->setRecording(path);
   findTouches();
@@ -109,16 +107,21 @@ void ReviewTabs::showFigures(double a_s, double b_s) {
                                                     : Figures(tl::unexpected(opened.error())));
     return [this, figures, a_s, b_s] {
       if (*figures) {
-        figures_table_->setFigures(**figures);
-        figures_table_->horizontalHeaderItem(0)->setText(tr("Δt %1 s").arg(numberText(b_s - a_s, 3)));
-      } else if (figures_work_.cancelled()) {
-        figures_table_->setFigures({});  // the figures shown belong to former marks
-      } else {
+        figures_table_->setFigures(**figures, b_s - a_s);
+        return;
+      }
+      figures_table_->clearFigures();  // those shown belong to former marks
+      if (!figures_work_.cancelled()) {
         context_.tell(Severity::warning, widgets::coreText(figures->error().message));
       }
     };
   };
   figures_work_.run(tr("Reckoning between A and B"), work);
+}
+
+void ReviewTabs::clearFigures() {
+  figures_work_.drop();
+  figures_table_->clearFigures();
 }
 
 }  // namespace fyd::console

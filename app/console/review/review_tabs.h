@@ -28,6 +28,8 @@ class ReviewTabs : public QTabWidget {
   void close();
   /// Shows the figures between two times; nothing happens before both are known.
   void showFigures(double a_s, double b_s);
+  /// The marks are gone: no figures, and none to come.
+  void clearFigures();
   /// A gesture card of the touch that is chosen.
   void makeCard();
 
