@@ -122,6 +122,39 @@ class ReviewTest : public QObject {
     QCOMPARE(heading(), none);
   }
 
+  void overTheListNoCommandActsOnTheHiddenRecording() {
+    ReviewFixture f;
+    const auto offered = [&](const char* id) { return f.window->commands().action(QLatin1String(id))->isEnabled(); };
+    QVERIFY(!offered("review.export_csv") && offered("review.open"));  // nothing is open yet
+    f.openByPath();
+    QVERIFY(offered("review.export_csv") && offered("review.bookmark"));
+    f.page->player()->goTo(1.0);
+    QTest::keyClick(f.window.get(), Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(f.page->showsList());
+    const QDir folder(f.folder.path());
+    const QStringList files = folder.entryList(QDir::Files);
+    const auto tab = f.page->tabs()->currentIndex();
+    f.window->setFocus();
+    for (const int key : {Qt::Key_B, Qt::Key_BracketLeft, Qt::Key_Space, Qt::Key_Right, Qt::Key_N, Qt::Key_E}) {
+      QTest::keyClick(f.window.get(), static_cast<Qt::Key>(key));
+    }
+    QTest::keyClick(f.window.get(), Qt::Key_P, Qt::ControlModifier);
+    for (QAction* each : f.window->commands().actions()) {
+      if (!each->objectName().startsWith(QLatin1String("review."))) continue;
+      const QStringList of_list = {QStringLiteral("review.open"), QStringLiteral("review.list"),
+                                   QStringLiteral("review.compare"), QStringLiteral("review.recover"),
+                                   QStringLiteral("review.cancel")};
+      QVERIFY2(each->isEnabled() == of_list.contains(each->objectName()), qPrintable(each->objectName()));
+    }
+    QCOMPARE(folder.entryList(QDir::Files), files);  // no bookmark beside it, no report
+    QVERIFY(!f.page->player()->playing() && f.page->player()->time_s() == 1.0);
+    QVERIFY(!std::isfinite(f.page->curves()->stack()->mark_s(widgets::CurveStack::Mark::a)));
+    QCOMPARE(f.page->tabs()->currentIndex(), tab);
+    f.openByPath();
+    f.key(Qt::Key_B);
+    QCOMPARE(f.page->notes()->rowCount(), 1);
+  }
+
   void aNoteStandsBesideTheFileAndTheRecordingIsUnchanged() {
     ReviewFixture f;
     f.openByPath();

@@ -229,6 +229,11 @@ void ReviewPage::showPart(int index) {
     stack_->widget(i)->setSizePolicy(policy, policy);
   }
   stack_->setCurrentIndex(index);
+  offerCommands();
+}
+
+void ReviewPage::offerCommands() {
+  for (QAction* each : recording_commands_) each->setEnabled(!showsList());
 }
 
 void ReviewPage::showList() {
@@ -401,6 +406,12 @@ void ReviewPage::addCommands(PlaceCommands& commands) {
   add("review.cancel", QT_TRANSLATE_NOOP("Commands", "Cancel what is running"), "cross", kCancelWorkKeys, [this] {
     if (!work_->cancelNewest()) context_.tell(widgets::Severity::information, tr("Nothing is running here."));
   });
+  const QStringList of_list = {QStringLiteral("review.open"), QStringLiteral("review.list"),
+                               QStringLiteral("review.compare"), QStringLiteral("review.recover"),
+                               QStringLiteral("review.cancel")};
+  std::ranges::copy_if(commands.added(), std::back_inserter(recording_commands_),
+                       [&](const QAction* each) { return !of_list.contains(each->objectName()); });
+  offerCommands();
 }
 
 void ReviewPage::addExportCommands(PlaceCommands& commands) {

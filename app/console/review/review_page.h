@@ -73,6 +73,8 @@ class ReviewPage : public Page {
   QWidget* buildReview();
   QWidget* buildLeft();
   void showPart(int index);
+  /// Those that act on the recording are offered only while it is shown.
+  void offerCommands();
   void connectCursor();
   void connectTabs();
   void connectRecovery();
@@ -105,6 +107,7 @@ class ReviewPage : public Page {
   QLineEdit* note_field_ = nullptr;
   QLineEdit* tags_field_ = nullptr;
   ReviewTabs* tabs_ = nullptr;
+  std::vector<QAction*> recording_commands_;
 };
 
 }  // namespace fyd::console

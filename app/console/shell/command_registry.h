@@ -58,12 +58,14 @@ class PlaceCommands {
  public:
   PlaceCommands(CommandRegistry& registry, QString place) : registry_(registry), place_(std::move(place)) {}
   QAction* add(const CommandInfo& info, std::function<void(bool)> run) {
-    return registry_.add(info, std::move(run), place_);
+    return added_.emplace_back(registry_.add(info, std::move(run), place_));
   }
+  [[nodiscard]] const std::vector<QAction*>& added() const { return added_; }
 
  private:
   CommandRegistry& registry_;
   QString place_;
+  std::vector<QAction*> added_;
 };
 
 }  // namespace fyd::console
