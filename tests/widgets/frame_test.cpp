@@ -506,6 +506,46 @@ class FrameTest : public QObject {
     QTest::mouseRelease(button, Qt::LeftButton);
   }
 
+  void testsStandOnTheCardOfTheDeviceWithTheMotors() {
+    Fixture f;
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    device::DeviceReport board = touchpad();
+    board.part = device::Part::motor_board;
+    f.session->reports = {touchpad(), board};
+    f.window->frame()->go(QStringLiteral("devices"));
+    console::DevicesPage* page = devicesOf(f);
+    const auto tests_on = [&](std::size_t card) {
+      const auto* button = page->card(card)->findChild<widgets::HoldButton*>(QStringLiteral("device_test_0"));
+      return button != nullptr && button->isVisible();
+    };
+    QVERIFY(!tests_on(0) && tests_on(1));
+    widgets::HoldButton* button = page->card(1)->testButton(0);
+    QTest::mousePress(button, Qt::LeftButton);
+    WAIT_EQUAL(f.session->tests.size(), std::size_t{1});
+    // Other devices come while it is held: the motors are the touchpad's own now, and the second card is the camera's.
+    f.session->reports = {touchpad(), camera()};
+    page->refresh();
+    QVERIFY(!f.session->test_status.running);
+    QVERIFY(tests_on(0) && !tests_on(1));
+    const int keeps = f.session->keeps;
+    passTimers(400);
+    QCOMPARE(f.session->keeps, keeps);
+    QTest::mouseRelease(button, Qt::LeftButton);
+    QTest::mousePress(page->card(0)->testButton(1), Qt::LeftButton);
+    WAIT_EQUAL(f.session->tests.size(), std::size_t{2});
+    WAIT_FOR(f.session->keeps > keeps);
+    QTest::mouseRelease(page->card(0)->testButton(1), Qt::LeftButton);
+    QVERIFY(!f.session->test_status.running);
+    f.session->reports = {camera(), touchpad(), board};
+    page->refresh();
+    QVERIFY(!tests_on(0) && !tests_on(1) && tests_on(2));
+    f.session->reports = {touchpad(), board};  // a card that had them once has them again, and once only
+    page->refresh();
+    QVERIFY(!tests_on(0) && tests_on(1));
+    QCOMPARE(page->card(1)->findChildren<widgets::HoldButton*>().size(), 3);
+  }
+
   void aTestThatIsRefusedSaysWhy() {
     Fixture f;
     f.session->reports = {touchpad()};

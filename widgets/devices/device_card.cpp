@@ -196,6 +196,7 @@ void DeviceCard::showState(bool ok) {
 }
 
 void DeviceCard::setTests(const QStringList& words) {
+  test_area_->setVisible(!words.isEmpty());
   if (!tests_.empty() || words.isEmpty()) return;
   auto* layout = qobject_cast<QVBoxLayout*>(test_area_->layout());
   auto* row = new QHBoxLayout;
@@ -211,7 +212,6 @@ void DeviceCard::setTests(const QStringList& words) {
   }
   layout->addLayout(row);
   layout->addWidget(test_words_);
-  test_area_->show();
   allowTests(allowed_, why_not_);
 }
 

@@ -20,7 +20,8 @@ class DeviceCard : public QFrame {
   explicit DeviceCard(QWidget* parent = nullptr);
 
   void setReport(const device::DeviceReport& report);
-  /// Buttons for tests, by their words; their place in the list is their number.
+  /// Buttons for tests, by their words; their place in the list is their number. None: they are hidden, until given
+  /// again.
   void setTests(const QStringList& words);
   /// @param why said below the buttons while they are not allowed
   void allowTests(bool allowed, const QString& why);

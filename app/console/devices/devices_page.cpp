@@ -157,8 +157,7 @@ void DevicesPage::enter() {
 
 void DevicesPage::leave() {
   timer_.stop();
-  hold_timer_.stop();
-  context_.session.stopDeviceTest();
+  endTest();
 }
 
 void DevicesPage::refresh() {
@@ -176,23 +175,33 @@ void DevicesPage::refresh() {
         (tested == nullptr && reports[i].part == device::Part::touchpad))
       tested = cards_[i];
   }
-  if (tested != nullptr && tested_ == nullptr) {
-    tested_ = tested;
-    tested_->setTests(testWords());
-    connect(tested_, &widgets::DeviceCard::testHeld, this, &DevicesPage::startTest);
-    connect(tested_, &widgets::DeviceCard::testLetGo, this, [this] {
-      hold_timer_.stop();
-      context_.session.stopDeviceTest();
-      showTests();
-    });
-  }
+  if (tested != tested_) moveTests(tested);
   showTests();
+}
+
+void DevicesPage::moveTests(widgets::DeviceCard* card) {
+  if (tested_ != nullptr) {
+    endTest();
+    tested_->setTests({});
+  }
+  tested_ = card;
+  if (tested_ != nullptr) tested_->setTests(testWords());
+}
+
+void DevicesPage::endTest() {
+  hold_timer_.stop();
+  context_.session.stopDeviceTest();
 }
 
 widgets::DeviceCard* DevicesPage::addCard() {
   auto* card = new widgets::DeviceCard(this);
   card->setMinimumWidth(34 * kGrid);
   row_->insertWidget(row_->count() - 1, card, 1);
+  connect(card, &widgets::DeviceCard::testHeld, this, &DevicesPage::startTest);
+  connect(card, &widgets::DeviceCard::testLetGo, this, [this] {
+    endTest();
+    showTests();
+  });
   return card;
 }
 

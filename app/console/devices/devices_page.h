@@ -42,6 +42,9 @@ class DevicesPage : public Page {
   void showFound(const std::vector<widgets::FoundRow>& rows);
   void use(widgets::FoundRow::Use as, const QString& path);
   widgets::DeviceCard* addCard();
+  /// The motors are those of another card now, or of none: a test under way ends.
+  void moveTests(widgets::DeviceCard* card);
+  void endTest();
   void showTests();
   void startTest(int test);
   void holdOn();
