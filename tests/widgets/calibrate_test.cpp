@@ -129,6 +129,8 @@ class CalibrateTest : public QObject {
     QVERIFY(std::abs(c.session->profile.step.sensing.load_cell.slope_g_per_mV_per_V - kSlope_g) < 1e-6);
     QCOMPARE(c.session->commands.size(), std::size_t{0});
     QVERIFY(c.page->points().empty());
+    c.state(SafetyState::stopped);
+    QCOMPARE(c.window->operate()->curves()->buffer().size(), std::size_t{1});  // the new session's time begins at 0
     c.page->fitPanel()->who()->clear();  // the next one's name is offered, not taken
     QVERIFY(!c.page->fitPanel()->offeredName()->isHidden());
     c.click(c.page->fitPanel()->offeredName());

@@ -187,6 +187,34 @@ class ConnectionTest : public QObject {
     QVERIFY(!f.window->stateBar()->armButton()->isEnabled());
   }
 
+  void theCurvesTimeIsThatOfTheSessionThatIsShown() {
+    Fixture f;
+    const widgets::CurveView* curves = f.window->operate()->curves();
+    const auto begins_anew = [&] {
+      f.session->say(SafetyState::ready);
+      f.window->feed().pump();
+      return curves->buffer().size() == 1 && curves->buffer().firstTime_s() == 0.0 && curves->following() &&
+             !std::isfinite(curves->stack()->cursor_s()) &&
+             !std::isfinite(curves->stack()->mark_s(widgets::CurveStack::Mark::a));
+    };
+    const auto look_back = [&] {
+      for (int i = 0; i < 5; ++i) f.session->say(SafetyState::ready);
+      f.window->feed().pump();
+      QVERIFY(curves->buffer().lastTime_s() > 0.003);
+      f.window->operate()->curves()->setMark(widgets::CurveStack::Mark::a);
+      f.window->operate()->curves()->goTo(0.002);
+      QVERIFY(!curves->following());
+    };
+    look_back();
+    changeDevices(f, {.touchpad = "modbus-tcp:10.0.0.7:502"});
+    QVERIFY(begins_anew());
+    QVERIFY(curves->timeWindow().to_s() == 0.0);
+    look_back();
+    f.session->refuses = true;  // the former devices are back, with a session of their own
+    changeDevices(f, {.touchpad = "simulated"});
+    QVERIFY(begins_anew());
+  }
+
   void theFocusStaysAtConnectWhileItWorks() {
     Fixture f;
     f.window->frame()->go(QStringLiteral("devices"));

@@ -129,6 +129,17 @@ void CurveView::append(std::span<const pipeline::TelemetrySample> samples) {
   stack_->advance(buffer_.lastTime_s());
 }
 
+void CurveView::restart() {
+  buffer_.clear();
+  any_ = false;
+  newest_ = {};
+  for (RecentValue& each : recent_) (void)each.take();
+  since_sample_.invalidate();
+  clearMarks();
+  stack_->advance(0.0);
+  stack_->forEachWindow([](TimeWindow& window) { window.follow(); });
+}
+
 void CurveView::redrawWhenMoved() {
   const bool column_more = !(buffer_.lastTime_s() - drawn_s_ < stack_->column_s());  // also for the first samples
   if (dirty_ || (!buffer_.empty() && column_more)) redraw();

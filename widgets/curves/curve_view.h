@@ -26,6 +26,8 @@ class CurveView : public QWidget {
   explicit CurveView(QWidget* parent = nullptr);
 
   void append(std::span<const pipeline::TelemetrySample> samples);
+  /// Another session begins: the curves, cursor and marks of the former one go, and the next sample is at 0 s.
+  void restart();
   [[nodiscard]] bool following() const { return stack_->window().following(); }
   [[nodiscard]] const TimeWindow& timeWindow() const { return stack_->window(); }
   [[nodiscard]] const CurveBuffer& buffer() const { return buffer_; }

@@ -92,6 +92,7 @@ void OperatePage::build() {
 void OperatePage::connectFeed() {
   const SessionFeed* feed = &context_.feed;
   connect(feed, &SessionFeed::telemetry, curves_, &widgets::CurveView::append);
+  connect(feed, &SessionFeed::restarted, curves_, &widgets::CurveView::restart);
   connect(feed, &SessionFeed::picture, this, [this](const station::CameraView& view) {
     if (isVisible()) camera_->setPicture(toCameraPicture(view));
   });

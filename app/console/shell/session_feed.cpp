@@ -49,6 +49,7 @@ void SessionFeed::restart() {
   last_picture_ = 0;
   last_missed_ = 0;
   missed_now_ = 0.0;
+  emit restarted();
 }
 
 void SessionFeed::drainTelemetry() {

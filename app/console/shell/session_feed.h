@@ -25,6 +25,7 @@ class SessionFeed : public QObject {
   void restart();
 
  signals:
+  void restarted();  ///< what comes next is another session's
   void telemetry(std::span<const pipeline::TelemetrySample> samples);
   void silent(bool silent);  ///< no telemetry from the haptic loop for half a second
   void picture(const fyd::station::CameraView& view);
