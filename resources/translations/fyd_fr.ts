@@ -522,6 +522,10 @@
         <translation>Une note ; Entrée la met dans l'enregistrement</translation>
     </message>
     <message>
+        <source>A recording is beginning or ending. Wait until the disk has answered.</source>
+        <translation>Un enregistrement commence ou se termine. Attendre que le disque ait répondu.</translation>
+    </message>
+    <message>
         <source>A recording is being recovered already; wait, or cancel it.</source>
         <translation>Une récupération est déjà en cours ; attendre ou l'annuler.</translation>
     </message>
@@ -5324,6 +5328,10 @@ Pour commencer : %1</translation>
     <message>
         <source>Waiting for a robot</source>
         <translation>En attente d'un robot</translation>
+    </message>
+    <message>
+        <source>Waiting for the disk …</source>
+        <translation>En attente du disque …</translation>
     </message>
     <message>
         <source>Waiting for the haptic loop.</source>

@@ -522,6 +522,10 @@
         <translation>Una nota; Invio la mette nella registrazione</translation>
     </message>
     <message>
+        <source>A recording is beginning or ending. Wait until the disk has answered.</source>
+        <translation>Una registrazione sta iniziando o terminando. Attendere che il disco abbia risposto.</translation>
+    </message>
+    <message>
         <source>A recording is being recovered already; wait, or cancel it.</source>
         <translation>Un recupero è già in corso; attendere o annullarlo.</translation>
     </message>
@@ -5324,6 +5328,10 @@ Per cominciare: %1</translation>
     <message>
         <source>Waiting for a robot</source>
         <translation>In attesa di un robot</translation>
+    </message>
+    <message>
+        <source>Waiting for the disk …</source>
+        <translation>In attesa del disco …</translation>
     </message>
     <message>
         <source>Waiting for the haptic loop.</source>

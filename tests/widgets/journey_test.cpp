@@ -211,7 +211,7 @@ void runAndRecord(const Day& day) {
   day.key(Qt::Key_R, Qt::ControlModifier);
   QVERIFY(form->stopButton()->hasFocus());
   day.key(Qt::Key_Return);
-  QVERIFY(day.told(QStringLiteral("Recording closed:")));
+  WAIT_FOR(day.told(QStringLiteral("Recording closed:")));
   WAIT_EQUAL(day.state(), QStringLiteral("Stopped"));
 }
 

@@ -25,6 +25,11 @@ struct RecordingFixture : Fixture {
     write(form->operatorField(), QStringLiteral("M. Muster"));
     write(form->fileField(), folder.filePath(QStringLiteral("new folder/one.h5")));
   }
+  void waitForDisk() const { WAIT_FOR(form->startButton()->isEnabled()); }
+  void press(QPushButton* button) const {
+    QTest::mouseClick(button, Qt::LeftButton);
+    waitForDisk();
+  }
   [[nodiscard]] QString button() const { return window->stateBar()->recordButton()->text(); }
   [[nodiscard]] QString told() const {
     const int count = window->notices()->count();
@@ -62,6 +67,7 @@ class RecordingTest : public QObject {
     QVERIFY(form->operatorField()->hasFocus());
     QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("mm"));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    WAIT_FOR(form->startButton()->isEnabled());
     QCOMPARE(f.session->recordings.size(), std::size_t{1});
     QCOMPARE(f.session->recordings[0].operator_name, std::string("mm"));
   }
@@ -72,7 +78,7 @@ class RecordingTest : public QObject {
     write(f.form->subjectField(), QStringLiteral("S07"));
     write(f.form->tagsField(), QStringLiteral(" pilot,left hand ,, pilot"));
     QTest::keyClicks(f.form->notesField(), QStringLiteral("first try"));
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     QCOMPARE(f.session->recordings.size(), std::size_t{1});
     const recording::RecordingRequest& asked = f.session->recordings[0];
     QCOMPARE(asked.path, f.folder.filePath(QStringLiteral("new folder/one.h5")).toStdString());
@@ -97,10 +103,77 @@ class RecordingTest : public QObject {
     QCOMPARE(f.session->recording_stops, 0);
     QVERIFY(f.form->stopButton()->hasFocus());
     QTest::keyClick(f.form->stopButton(), Qt::Key_Return);
+    f.waitForDisk();
     QCOMPARE(f.session->recording_stops, 1);
     QVERIFY(f.told().contains(QStringLiteral("one.h5")));
     QCOMPARE(f.button(), QStringLiteral("Record"));
     QVERIFY(f.form->fileField()->text() != QString::fromStdString(asked.path));
+  }
+
+  void theWindowListensWhileTheDiskIsWaitedFor() {
+    RecordingFixture f;
+    f.session->say(pipeline::SafetyState::ready);
+    f.window->feed().pump();
+    const auto esc_is_heard = [&] {
+      const int before = f.session->stops;
+      QTest::keyClick(f.window.get(), Qt::Key_Escape);
+      return f.session->stops > before;
+    };
+    f.session->disk_waits = true;
+    f.form->startButton()->setFocus();
+    QTest::keyClick(f.form->startButton(), Qt::Key_Return);
+    QVERIFY(!f.form->startButton()->isEnabled());
+    QVERIFY(esc_is_heard());
+    QTest::keyClick(f.form->operatorField(), Qt::Key_Return);  // nothing is begun twice
+    QVERIFY2(f.window->connection().hindrance().contains(QStringLiteral("beginning")),
+             qPrintable(f.window->connection().hindrance()));
+    f.session->disk_waits = false;
+    f.waitForDisk();
+    QCOMPARE(f.session->recordings.size(), std::size_t{1});
+    QVERIFY(f.told().startsWith(QStringLiteral("Recording into ")));
+
+    f.session->disk_waits = true;
+    QTest::mouseClick(f.form->stopButton(), Qt::LeftButton);
+    QVERIFY(!f.form->stopButton()->isEnabled() && f.form->stopButton()->isVisible());
+    QVERIFY(esc_is_heard());
+    f.session->disk_waits = false;
+    f.waitForDisk();
+    QCOMPARE(f.session->recording_stops, 1);
+    QVERIFY(f.told().startsWith(QStringLiteral("Recording closed: ")));
+
+    // A disk that refuses after a while: the focus is back where Enter tries again.
+    f.session->disk_waits = true;
+    f.session->refuses = true;
+    f.form->startButton()->setFocus();
+    QTest::keyClick(f.form->startButton(), Qt::Key_Return);
+    QVERIFY(!f.form->startButton()->hasFocus());
+    f.session->disk_waits = false;
+    f.waitForDisk();
+    QVERIFY(f.form->startButton()->hasFocus());
+    f.session->refuses = false;
+  }
+
+  void aWindowClosedWhileARecordingBeginsClosesIt() {
+    RecordingFixture f;
+    f.session->disk_waits = true;
+    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    const std::jthread disk([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      f.session->disk_waits = false;
+    });
+    f.window->close();
+    QCOMPARE(f.session->recordings.size(), std::size_t{1});
+    QCOMPARE(f.session->recording_stops, 1);
+    QVERIFY(f.session->stops >= 1 && f.session->shut_downs >= 1);
+    // One that goes without having been closed waits as well.
+    RecordingFixture gone;
+    gone.session->disk_waits = true;
+    QTest::mouseClick(gone.form->startButton(), Qt::LeftButton);
+    const std::jthread later([session = gone.session] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      session->disk_waits = false;
+    });
+    gone.window.reset();
   }
 
   void whatIsSaidOfARecordingGoesWhenItIsClosed() {
@@ -112,12 +185,12 @@ class RecordingTest : public QObject {
     };
     QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
     QVERIFY(said().join(QLatin1Char('|')).contains(QStringLiteral("nothing is being recorded")));
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     QCOMPARE(said().size(), 1);  // something is, now
     QVERIFY2(said()[0].startsWith(QStringLiteral("Recording into ")), qPrintable(said()[0]));
     QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
     QCOMPARE(said().size(), 2);
-    QTest::mouseClick(f.form->stopButton(), Qt::LeftButton);
+    f.press(f.form->stopButton());
     QVERIFY2(said().size() == 1 && said()[0].startsWith(QStringLiteral("Recording closed: ")),
              qPrintable(said().join(QLatin1Char('|'))));
   }
@@ -154,10 +227,10 @@ class RecordingTest : public QObject {
       QVERIFY(!each.field->property("refused").toBool());
     }
     f.form->notesField()->setPlainText(QString(2001, QLatin1Char('n')));
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     QVERIFY(f.form->hint().contains(QStringLiteral("2000")));
     f.form->notesField()->clear();
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     QCOMPARE(f.session->recordings.size(), std::size_t{1});
   }
 
@@ -166,7 +239,7 @@ class RecordingTest : public QObject {
     QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier);
     QVERIFY(f.session->notes.empty());
     QVERIFY(f.told().contains(QStringLiteral("nothing is being recorded")));
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     f.session->recorder.seconds = 3.0;
     f.window->feed().pump();
     f.window->frame()->go(QStringLiteral("devices"));  // from every place
@@ -183,7 +256,7 @@ class RecordingTest : public QObject {
 
   void lostSamplesAreAnErrorAndToldOnce() {
     RecordingFixture f;
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     f.window->notices()->dismissAll();
     f.session->recorder.lost = 120;
     f.window->feed().pump();
@@ -198,11 +271,11 @@ class RecordingTest : public QObject {
   void aFailureSaysWhatHappenedWhatIsSafeAndWhatToDo() {
     RecordingFixture f;
     f.session->refuses = true;
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     QVERIFY(f.told().contains(QStringLiteral("refused by the script")));
     QVERIFY(f.form->startButton()->isVisible());
     f.session->refuses = false;
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     f.session->recorder.state = RecorderState::failed;
     f.session->recorder.problem = verbatim("the disk is full; what was written is safe; free some space");
     f.window->feed().pump();
@@ -213,10 +286,10 @@ class RecordingTest : public QObject {
     QVERIFY(f.form->hint().contains(QStringLiteral("what was written is safe")));
     // And one that does not close as it should.
     write(f.form->fileField(), f.folder.filePath(QStringLiteral("two.h5")));
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     f.window->feed().pump();
     f.session->refuses = true;
-    QTest::mouseClick(f.form->stopButton(), Qt::LeftButton);
+    f.press(f.form->stopButton());
     QVERIFY2(f.told().contains(QStringLiteral("did not close")), qPrintable(f.told()));
   }
 
@@ -225,7 +298,7 @@ class RecordingTest : public QObject {
     write(f.form->subjectField(), QStringLiteral("S07"));
     write(f.form->tagsField(), QStringLiteral("pilot, left hand"));
     QTest::keyClicks(f.form->notesField(), QStringLiteral("only for this one"));
-    QTest::mouseClick(f.form->startButton(), Qt::LeftButton);
+    f.press(f.form->startButton());
     console::MainWindow again(std::make_unique<ScriptedSession>(), f.folder.filePath(QStringLiteral("profile.toml")));
     const widgets::RecordingEntries kept = again.recording()->form()->entries();
     QCOMPARE(kept.operator_name, QStringLiteral("M. Muster"));

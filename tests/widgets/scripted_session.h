@@ -57,12 +57,14 @@ class ScriptedSession : public console::Session {
   station::DeviceTestStatus deviceTestStatus() const override { return test_status; }
   std::vector<texture::SweepRow> deviceTestSweep() override { return sweep; }
   Result<void> startRecording(const recording::RecordingRequest& request) override {
+    waitForDisk();
     if (refuses) return fail("{}: refused by the script", request.path);
     recordings.push_back(request);
     recorder = {.state = recording::RecorderState::recording, .path = request.path};
     return {};
   }
   Result<void> stopRecording() override {
+    waitForDisk();
     ++recording_stops;
     recorder.state = recording::RecorderState::idle;
     if (refuses) return fail("{}: refused by the script", recorder.path);
@@ -116,6 +118,10 @@ class ScriptedSession : public console::Session {
     return {};
   }
 
+  void waitForDisk() const {
+    for (int ms = 0; disk_waits && ms < kPatience_ms; ++ms) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
   [[nodiscard]] int count(pipeline::OperatorAction action) const {
     return static_cast<int>(std::ranges::count_if(commands, [&](const auto& c) { return c.action == action; }));
   }
@@ -164,6 +170,7 @@ class ScriptedSession : public console::Session {
   mutable int checks = 0;  ///< choices that were asked about beforehand
   bool open = true;
   std::atomic<bool> reads_long = false;  ///< a check takes until this is false
+  std::atomic<bool> disk_waits = false;  ///< a recording begins or ends only when this is false
   int begun_anew = 0;
   std::shared_ptr<scene::SceneStage> stage;  ///< a scene where the robot stands
 };

@@ -1,5 +1,6 @@
 #include "widgets/status/recording_form.h"
 
+#include <QApplication>
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QMimeData>
@@ -41,8 +42,8 @@ RecordingForm::RecordingForm(QWidget* parent)
       figures_(new QLabel(this)),
       note_(new QLineEdit(this)),
       hint_(new QLabel(this)),
-      start_(new QPushButton(tr("Start recording"), this)),
-      stop_(new QPushButton(tr("Stop recording"), this)) {
+      start_(new QPushButton(this)),
+      stop_(new QPushButton(this)) {
   setProperty("surface", "panel");
   setAccessibleName(tr("Recording"));
   build();
@@ -59,6 +60,7 @@ RecordingForm::RecordingForm(QWidget* parent)
   });
   connect(file_, &QLineEdit::textEdited, this, [this] { file_is_own_ = !file_->text().isEmpty(); });
   setRecording({});
+  setWaiting(false);
 }
 
 void RecordingForm::build() {
@@ -170,6 +172,20 @@ void RecordingForm::setRecording(const RecordingView& view) {
   }
 }
 
+void RecordingForm::setWaiting(bool waiting) {
+  waiting_ = waiting;
+  QPushButton* shown = start_->isHidden() ? stop_ : start_;
+  const bool loses_focus = waiting && shown->hasFocus();
+  start_->setText(waiting ? tr("Waiting for the disk …") : tr("Start recording"));
+  stop_->setText(waiting ? tr("Waiting for the disk …") : tr("Stop recording"));
+  for (QPushButton* each : {start_, stop_}) each->setEnabled(!waiting);
+  if (loses_focus) fallen_to_ = QApplication::focusWidget();
+  if (waiting) return;
+  // It comes back unless it was moved on meanwhile.
+  if (fallen_to_ && fallen_to_ == QApplication::focusWidget()) shown->setFocus(Qt::OtherFocusReason);
+  fallen_to_.clear();
+}
+
 void RecordingForm::focusNext() {
   QWidget* next = start_->isHidden() ? stop_ : start_;
   if (next == start_ && operator_->text().trimmed().isEmpty()) next = operator_;  // it would refuse without
@@ -177,6 +193,7 @@ void RecordingForm::focusNext() {
 }
 
 void RecordingForm::start() {
+  if (waiting_) return;
   const RecordingEntries wanted = entries();
   const EntryProblem problem = checkEntries(wanted);
   mark(problem.field);

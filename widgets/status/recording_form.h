@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QToolButton>
 #include <functional>
@@ -27,6 +28,8 @@ class RecordingForm : public QFrame {
   void suggest();
   [[nodiscard]] bool fileIsSuggested() const { return !file_is_own_; }
   void setRecording(const RecordingView& view);
+  /// The disk is waited for: nothing is started or ended meanwhile.
+  void setWaiting(bool waiting);
   /// Gives the focus to what comes next: the operator's field while it is empty, else the button that starts or ends.
   void focusNext();
 
@@ -57,6 +60,8 @@ class RecordingForm : public QFrame {
   RecordingView view_;
   std::function<QString(const QString&)> suggest_;
   bool file_is_own_ = false;  ///< written by the operator
+  bool waiting_ = false;
+  QPointer<QWidget> fallen_to_;  ///< has the focus that a button lost by the waiting
   QLineEdit* operator_ = nullptr;
   QLineEdit* subject_ = nullptr;
   QLineEdit* tags_ = nullptr;

@@ -57,6 +57,8 @@ RecordingControl::RecordingControl(const PageContext& context, QString memory, Q
   connect(form_, &widgets::RecordingForm::stopAsked, this, &RecordingControl::stop);
   connect(form_, &widgets::RecordingForm::noteAsked, this, &RecordingControl::note);
   connect(&context_.feed, &SessionFeed::recorder, this, &RecordingControl::take);
+  connect(&disk_work_, &Background::runningChanged, form_, &widgets::RecordingForm::setWaiting);
+  connect(&disk_work_, &Background::runningChanged, &context_.connection, &ConnectionChange::waitForRecorder);
 }
 
 QString sessionsFolder() {
@@ -90,21 +92,29 @@ void RecordingControl::open() {
 }
 
 void RecordingControl::start(const widgets::RecordingEntries& entries) {
-  const QString folder = QFileInfo(entries.file).absolutePath();
-  if (!QDir().mkpath(folder)) {
-    context_.tell_about(kRecording, Severity::error,
-                        tr("Not recording. Folder %1 cannot be made: choose another file.").arg(folder));
-    return;
-  }
+  if (disk_work_.running()) return;
   recording::RecordingRequest request{.path = entries.file.toStdString(),
                                       .operator_name = entries.operator_name.toStdString(),
                                       .subject = entries.subject.toStdString(),
                                       .notes = entries.notes.toStdString(),
                                       .tags = {}};
   for (const QString& tag : entries.tags) request.tags.push_back(tag.toStdString());
-  if (const auto started = context_.session.startRecording(request); !started) {
+  disk_work_.run([this, entries, request, session = &context_.session](const std::stop_token&) -> Background::Finish {
+    const QString folder = QFileInfo(entries.file).absolutePath();
+    if (!QDir().mkpath(folder)) {
+      return [this, folder] {
+        context_.tell_about(kRecording, Severity::error,
+                            tr("Not recording. Folder %1 cannot be made: choose another file.").arg(folder));
+      };
+    }
+    return [this, entries, outcome = session->startRecording(request)] { started(entries, outcome); };
+  });
+}
+
+void RecordingControl::started(const widgets::RecordingEntries& entries, const Result<void>& outcome) {
+  if (!outcome) {
     context_.tell_about(kRecording, Severity::error,
-                        tr("Not recording. %1.").arg(widgets::coreText(started.error().message)));
+                        tr("Not recording. %1.").arg(widgets::coreText(outcome.error().message)));
     return;
   }
   markers_ = 0;
@@ -117,9 +127,15 @@ void RecordingControl::start(const widgets::RecordingEntries& entries) {
 }
 
 void RecordingControl::stop() {
-  const QString file = text(last_.path);
-  const auto stopped = context_.session.stopRecording();
-  if (stopped) {
+  if (disk_work_.running()) return;
+  disk_work_.run(
+      [this, file = text(last_.path), session = &context_.session](const std::stop_token&) -> Background::Finish {
+        return [this, file, outcome = session->stopRecording()] { stopped(file, outcome); };
+      });
+}
+
+void RecordingControl::stopped(const QString& file, const Result<void>& outcome) {
+  if (outcome) {
     last_.state = RecorderState::idle;
     context_.over(kMark);
     context_.tell_about(kRecording, Severity::information,
@@ -130,14 +146,17 @@ void RecordingControl::stop() {
         kRecording, Severity::error,
         tr("The recording did not close as it should. %1. What was written before is safe: it is repaired "
            "when the file is opened.")
-            .arg(widgets::coreText(stopped.error().message)));
+            .arg(widgets::coreText(outcome.error().message)));
   }
   form_->suggest();
   context_.feed.pump();
 }
 
 void RecordingControl::finish() {
-  if (recording()) stop();
+  waitForDisk();  // a recording that is beginning is closed as well
+  if (!recording()) return;
+  stop();
+  waitForDisk();
 }
 
 // On another thread, because the catalogue may be a server that does not answer.

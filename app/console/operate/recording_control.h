@@ -29,6 +29,8 @@ class RecordingControl : public QObject {
   void addCommands(CommandRegistry& commands);
   /// To be called when the window closes: closes a recording under way.
   void finish();
+  /// Waits until the disk has answered what was asked of it: before that the session may not go.
+  void waitForDisk() { disk_work_.wait(); }
   /// The next file: documents, a folder for sessions, date, time and subject.
   [[nodiscard]] static QString suggestedFile(const QString& subject);
 
@@ -38,7 +40,9 @@ class RecordingControl : public QObject {
  private:
   void open();
   void start(const widgets::RecordingEntries& entries);
+  void started(const widgets::RecordingEntries& entries, const Result<void>& outcome);
   void stop();
+  void stopped(const QString& file, const Result<void>& outcome);
   void enterIntoCatalogue(const QString& file);
   void mark();
   void note(const QString& text);
@@ -54,6 +58,7 @@ class RecordingControl : public QObject {
   recording::RecorderStatus last_;
   int markers_ = 0;
   Background catalogue_work_;
+  Background disk_work_;  // a recording begins or ends: the window listens meanwhile, above all to Esc
 };
 
 }  // namespace fyd::console

@@ -1,5 +1,7 @@
 #include "app/console/shell/background.h"
 
+#include <QCoreApplication>
+
 namespace fyd::console {
 
 Background::~Background() {
@@ -22,6 +24,12 @@ void Background::run(Work work) {
 
 void Background::stop() {
   if (running_) threads_[number_].request_stop();
+}
+
+void Background::wait() {
+  if (!running_) return;
+  threads_.at(number_).join();
+  QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);  // the result, which it posted last
 }
 
 void Background::cancel() {

@@ -24,6 +24,8 @@ class Background : public QObject {
   void run(Work work);
   /// Asks work under way to stop; its result is still delivered.
   void stop();
+  /// Waits for work under way, and delivers its result.
+  void wait();
   /// Asks work under way to stop and drops its result; never waits.
   void cancel();
   [[nodiscard]] bool running() const { return running_; }

@@ -29,6 +29,7 @@ void ConnectionChange::hear(std::span<const pipeline::TelemetrySample> samples) 
 QString ConnectionChange::hindrance() const {
   if (!session_.isOpen()) return {};
   if (can_move_ || silent_) return tr("Devices can be changed only while nothing can move. Press Esc first.");
+  if (recorder_waits_) return tr("A recording is beginning or ending. Wait until the disk has answered.");
   if (recording_) return tr("A recording is under way and would end. End it first.");
   return {};
 }
@@ -60,6 +61,10 @@ void ConnectionChange::cancel() {
   if (!canBeCancelled()) return;
   asking_.cancel();
   show({});
+}
+
+void ConnectionChange::waitForRecorder(bool waits) {
+  if (std::exchange(recorder_waits_, waits) != waits) emit refreshed();
 }
 
 void ConnectionChange::answered(const ConnectionWords& wanted, std::vector<station::ConnectionProblem> problems) {

@@ -32,6 +32,8 @@ class ConnectionChange : public QObject {
   /// While something hinders it, only that is told; while something is being done, nothing happens.
   void change(const ConnectionWords& wanted);
   void cancel();
+  /// A recording begins or ends, which may take the disk's time: the session may not be left meanwhile.
+  void waitForRecorder(bool waits);
 
  signals:
   void refreshed();  ///< one of the above is another
@@ -54,6 +56,7 @@ class ConnectionChange : public QObject {
   bool can_move_ = true;  // until the first sample says otherwise
   bool silent_ = false;
   bool recording_ = false;
+  bool recorder_waits_ = false;
   QString work_;
   std::vector<station::ConnectionProblem> problems_;
   Background asking_;

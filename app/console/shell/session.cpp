@@ -1,5 +1,7 @@
 #include "app/console/shell/session.h"
 
+#include <mutex>
+
 #include "core/station/station_sources.h"
 
 namespace fyd::console {
@@ -16,6 +18,7 @@ class StationSession : public Session {
     if (station_) station_->start();
   }
   void shutDown() override {
+    const std::lock_guard lock(stays_);
     if (station_) station_->shutDown();
   }
   bool command(const pipeline::OperatorCommand& command) override { return station_ && station_->command(command); }
@@ -64,10 +67,12 @@ class StationSession : public Session {
   }
 
   Result<void> startRecording(const recording::RecordingRequest& request) override {
+    const std::lock_guard lock(stays_);
     if (!station_) return fail("{}: the session is closed", request.path);
     return station_->startRecording(request);
   }
   Result<void> stopRecording() override {
+    const std::lock_guard lock(stays_);
     if (!station_) return fail("the session is closed");
     return station_->stopRecording();
   }
@@ -113,6 +118,7 @@ class StationSession : public Session {
   station::StationOptions options_;
   std::optional<sim::FingerPath> finger_;      // set since the start
   std::unique_ptr<station::Station> station_;  // none: closed
+  std::mutex stays_;                           // the station, while another thread waits for its recorder
 };
 
 Result<void> StationSession::open(const station::StationOptions& options) {
@@ -124,7 +130,10 @@ Result<void> StationSession::open(const station::StationOptions& options) {
 
 void StationSession::begin(const station::StationOptions& options, std::unique_ptr<station::Station> station) {
   options_ = options;
-  station_ = std::move(station);
+  {
+    const std::lock_guard lock(stays_);
+    station_ = std::move(station);
+  }
   if (finger_) station_->playSimulatedFinger(*finger_);
   station_->start();
 }
@@ -133,6 +142,7 @@ void StationSession::close() {
   if (!station_) return;
   options_.profile = station_->currentProfile();
   station_->requestStop();
+  const std::lock_guard lock(stays_);
   station_->shutDown();
   station_.reset();  // its port and devices are free now
 }
@@ -152,6 +162,7 @@ std::function<Session::Arrival()> StationSession::leaveFor(const ConnectionWords
   if (station_) {
     options_.profile = station_->currentProfile();
     station_->requestStop();
+    const std::lock_guard lock(stays_);
     way->leaving = std::move(station_);
   }
   way->former = way->options = options_;

@@ -16,7 +16,7 @@ namespace fyd::console {
 /// Which touchpad, motors, camera and robot a session has; words as in station::StationOptions.
 using ConnectionWords = station::SourceParameters;
 
-/// All functions from the window's thread; meanings as in station::Station.
+/// All functions from the window's thread unless they say otherwise; meanings as in station::Station.
 class Session {
  public:
   virtual ~Session() = default;
@@ -43,6 +43,7 @@ class Session {
   [[nodiscard]] virtual station::DeviceTestStatus deviceTestStatus() const = 0;
   [[nodiscard]] virtual std::vector<texture::SweepRow> deviceTestSweep() = 0;
 
+  // These two wait for the disk, up to 30 s, and may run on any thread: the session neither ends nor shuts down meanwhile.
   [[nodiscard]] virtual Result<void> startRecording(const recording::RecordingRequest& request) = 0;
   [[nodiscard]] virtual Result<void> stopRecording() = 0;
   [[nodiscard]] virtual Result<void> note(recording::NoteKind kind, const std::string& text) = 0;

@@ -83,6 +83,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
 }
 
 MainWindow::~MainWindow() {
+  recording_->waitForDisk();
   session_->shutDown();
   delete frame_;  // before tuning_: a field that loses the focus still passes its entry to it
 }
