@@ -1150,6 +1150,10 @@
         <translation>Choisir le fichier vidéo.</translation>
     </message>
     <message>
+        <source>Choose them under Devices.</source>
+        <translation>Les choisir sous Appareils.</translation>
+    </message>
+    <message>
         <source>Choose two sessions to compare, the second with Ctrl.</source>
         <translation>Choisir deux sessions à comparer, la seconde avec Ctrl.</translation>
     </message>
@@ -1220,6 +1224,10 @@
     <message>
         <source>Close: %1</source>
         <translation>Fermer : %1</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Fermé</translation>
     </message>
     <message>
         <source>Closed loop: cloth and robot answer as identified from this recording.</source>
@@ -4926,6 +4934,10 @@ Pour commencer : %1</translation>
         <translation>Les paramètres choisis reprennent leurs valeurs enregistrées</translation>
     </message>
     <message>
+        <source>The session has no devices.</source>
+        <translation>La session n’a pas d’appareils.</translation>
+    </message>
+    <message>
         <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
         <translation>La session n’a pas d’appareils : elle est fermée. Les choisir à côté et presser Connecter.</translation>
     </message>
@@ -4936,6 +4948,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The session is closed. %1. Choose other devices.</source>
         <translation>La session est fermée. %1. Choisir d’autres appareils.</translation>
+    </message>
+    <message>
+        <source>The session is closed: choose devices under Devices.</source>
+        <translation>La session est fermée : choisir des appareils sous Appareils.</translation>
     </message>
     <message>
         <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>

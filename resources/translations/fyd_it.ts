@@ -1150,6 +1150,10 @@
         <translation>Scegliere il file video.</translation>
     </message>
     <message>
+        <source>Choose them under Devices.</source>
+        <translation>Sceglierli in Dispositivi.</translation>
+    </message>
+    <message>
         <source>Choose two sessions to compare, the second with Ctrl.</source>
         <translation>Scegliere due sessioni da confrontare, la seconda con Ctrl.</translation>
     </message>
@@ -1220,6 +1224,10 @@
     <message>
         <source>Close: %1</source>
         <translation>Chiudi: %1</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Chiuso</translation>
     </message>
     <message>
         <source>Closed loop: cloth and robot answer as identified from this recording.</source>
@@ -4926,6 +4934,10 @@ Per cominciare: %1</translation>
         <translation>I parametri scelti riprendono i valori salvati</translation>
     </message>
     <message>
+        <source>The session has no devices.</source>
+        <translation>La sessione non ha dispositivi.</translation>
+    </message>
+    <message>
         <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
         <translation>La sessione non ha dispositivi: è chiusa. Sceglierli qui accanto e premere Collega.</translation>
     </message>
@@ -4936,6 +4948,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The session is closed. %1. Choose other devices.</source>
         <translation>La sessione è chiusa. %1. Scegliere altri dispositivi.</translation>
+    </message>
+    <message>
+        <source>The session is closed: choose devices under Devices.</source>
+        <translation>La sessione è chiusa: scegliere i dispositivi in Dispositivi.</translation>
     </message>
     <message>
         <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>

@@ -187,6 +187,43 @@ class ConnectionTest : public QObject {
     QVERIFY(!f.window->stateBar()->armButton()->isEnabled());
   }
 
+  void aClosedSessionSaysSoAndWhatToDo() {
+    Fixture f;
+    std::vector<widgets::PartView> parts;
+    connect(&f.window->feed(), &console::SessionFeed::parts, this, [&](const auto& shown) { parts = shown; });
+    f.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
+    f.session->view.number = 57;
+    stationSays(f, SafetyState::ready);
+    QVERIFY(!parts.empty() && f.window->stateBar()->armButton()->isEnabled());
+    f.session->open = f.session->takes_commands = false;
+    f.session->view = {};
+    f.window->feed().pump();
+    const widgets::StateBar* bar = f.window->stateBar();
+    QCOMPARE(bar->stateWord(), QStringLiteral("Closed"));
+    QVERIFY2(bar->stateReason().contains(QStringLiteral("Devices")), qPrintable(bar->stateReason()));
+    QVERIFY(!bar->armButton()->isEnabled());
+    QVERIFY(parts.empty());  // above all no loop that is well
+    const widgets::CameraImage* image = f.window->operate()->camera()->image();
+    QVERIFY(image->picture().isNull());
+    QVERIFY2(image->emptyText().contains(QStringLiteral("closed")), qPrintable(image->emptyText()));
+    for (const char* id : {"session.tare", "session.target_by_hand", "session.target_from_robot"}) {
+      f.window->notices()->dismissAll();
+      f.window->commands().action(QLatin1String(id))->trigger();
+      QVERIFY2(f.window->notices()->shownText().contains(QStringLiteral("The session is closed")), id);
+    }
+    // Devices that are asked do not open it; one that is being opened starts.
+    f.session->reads_long = true;
+    f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});
+    f.window->feed().pump();
+    QCOMPARE(bar->stateWord(), QStringLiteral("Closed"));
+    f.session->reads_long = false;
+    WAIT_FOR(f.window->connection().work().isEmpty());
+    f.window->feed().pump();
+    QCOMPARE(bar->stateWord(), QStringLiteral("Starting"));
+    QCOMPARE(image->emptyText(), QStringLiteral("No picture yet."));
+    QVERIFY(!parts.empty());
+  }
+
   void theCurvesTimeIsThatOfTheSessionThatIsShown() {
     Fixture f;
     const widgets::CurveView* curves = f.window->operate()->curves();
@@ -400,6 +437,7 @@ class ConnectionTest : public QObject {
     const widgets::GuideStrip* strip = day.window->missing()->strip();
     WAIT_FOR(strip->isVisible());
     QVERIFY2(strip->advice().contains(file), qPrintable(strip->advice()));
+    WAIT_EQUAL(day.state(), QStringLiteral("Closed"));
     click(strip->button(QStringLiteral("missing_retry")));
     WAIT_FOR(day.window->connection().work().isEmpty());
     QVERIFY(!day.window->session().isOpen() && strip->isVisible());

@@ -16,7 +16,7 @@ constexpr double kDepthPerPixel_mm = 0.02;  // Shift and drag
 
 }  // namespace
 
-CameraImage::CameraImage(QWidget* parent) : QWidget(parent), empty_text_(tr("No picture yet.")) {
+CameraImage::CameraImage(QWidget* parent) : QWidget(parent), empty_text_(noneYet()) {
   setObjectName(QStringLiteral("camera_image"));
   setAccessibleName(tr("Camera picture"));
   setMinimumSize(160, 120);

@@ -32,7 +32,10 @@ class CameraImage : public QWidget {
   explicit CameraImage(QWidget* parent = nullptr);
 
   void setPicture(const CameraPicture& picture);
+  [[nodiscard]] const QImage& picture() const { return shown_.picture; }
   void showMask(bool on);
+  /// The text of a session that has sent no picture until now.
+  [[nodiscard]] static QString noneYet() { return tr("No picture yet."); }
   /// Text shown in place of a picture: what was looked for, what to do.
   void setEmptyText(const QString& text);
   [[nodiscard]] const QString& emptyText() const { return empty_text_; }

@@ -50,7 +50,7 @@ QString onTwoLines(QString text) {
 
 /// Every word that may stand for the state.
 QStringList stateWords() {
-  QStringList out = {StateBar::tr("Starting"), StateBar::tr("Unknown")};
+  QStringList out = {StateBar::tr("Starting"), StateBar::tr("Closed"), StateBar::tr("Unknown")};
   for (std::size_t i = 0; i < pipeline::kSafetyStateCount; ++i) {
     out << describeState(static_cast<SafetyState>(i), pipeline::Fault::none).word;
   }
@@ -200,6 +200,12 @@ void StateBar::restart() {
   refresh();
 }
 
+void StateBar::showClosed(bool closed) {
+  if (closed == closed_) return;
+  closed_ = closed;
+  restart();
+}
+
 void StateBar::showSilence(bool silent) {
   if (silent == silent_) return;
   silent_ = silent;
@@ -209,7 +215,11 @@ void StateBar::showSilence(bool silent) {
 void StateBar::refresh() {
   StateWords words = describeState(state_, fault_, missing_, lateness_);
   QColor colour = stateColour(state_);
-  if (!known_) {
+  if (closed_) {
+    words = {tr("Closed"), tr("The session has no devices."), tr("Choose them under Devices."),
+             QStringLiteral("state-disconnected")};
+    colour = theme().muted;
+  } else if (!known_) {
     words = {tr("Starting"), tr("Waiting for the haptic loop."), {}, QStringLiteral("state-disconnected")};
     colour = theme().muted;
   } else if (silent_) {
@@ -224,7 +234,7 @@ void StateBar::refresh() {
   arm_->setText(onTwoLines(armText(state_)));
   arm_->setAccessibleName(armText(state_));
   arm_->setIcon(icon(QStringLiteral("arm")));
-  arm_->setEnabled(known_ && !silent_ && state_ != SafetyState::active);
+  arm_->setEnabled(known_ && !closed_ && !silent_ && state_ != SafetyState::active);
   tare_->setIcon(icon(QStringLiteral("tare")));
   stop_->setIcon(icon(QStringLiteral("stop"), theme().on_danger));
   setAccessibleDescription(words.word + QStringLiteral(". ") + why_->text());

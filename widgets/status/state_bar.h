@@ -31,6 +31,8 @@ class StateBar : public QFrame {
   void showSilence(bool silent);
   /// Another session begins: its state is not known yet, and its time begins anew.
   void restart();
+  /// Whether there is no session: its devices could not be had, and others are to be chosen.
+  void showClosed(bool closed);
   /// What arming would be refused for now. To be called often: what was said before the state changed is forgotten.
   void showMissing(const MissingNow& missing);
   void showParts(const std::vector<PartView>& parts);
@@ -63,6 +65,7 @@ class StateBar : public QFrame {
   std::optional<MissingNow> missing_;
   QString lateness_;
   bool known_ = false;
+  bool closed_ = false;
   bool silent_ = false;
   QElapsedTimer since_;
   QTimer since_timer_;

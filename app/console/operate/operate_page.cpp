@@ -93,6 +93,7 @@ void OperatePage::connectFeed() {
   const SessionFeed* feed = &context_.feed;
   connect(feed, &SessionFeed::telemetry, curves_, &widgets::CurveView::append);
   connect(feed, &SessionFeed::restarted, curves_, &widgets::CurveView::restart);
+  connect(feed, &SessionFeed::restarted, camera_, [this] { camera_->showMissing(widgets::CameraImage::noneYet()); });
   connect(feed, &SessionFeed::picture, this, [this](const station::CameraView& view) {
     if (isVisible()) camera_->setPicture(toCameraPicture(view));
   });

@@ -23,6 +23,8 @@ class ConnectionChange : public QObject {
   [[nodiscard]] QString hindrance() const;
   /// What is being done; empty: nothing.
   [[nodiscard]] const QString& work() const { return work_; }
+  /// There is no session, and none is being opened.
+  [[nodiscard]] bool closed() const { return !session_.isOpen() && !opening_.running(); }
   /// Only while the present session continues.
   [[nodiscard]] bool canBeCancelled() const { return asking_.running(); }
   /// What could not be had of the last choice; none after one that could.

@@ -77,10 +77,12 @@ void SessionFeed::lookAtParts() {
     last_missed_ = missed;
     since_missed_.start();
   }
-  emit parts(toParts(status, missed_now_, session_.telemetryLost()));
+  const bool open = session_.isOpen();
+  emit parts(open ? toParts(status, missed_now_, session_.telemetryLost()) : std::vector<widgets::PartView>{});
   emit link(toLink(status));
   emit recorder(session_.recorderStatus());
   emit readiness(toReadiness(session_.readiness(), session_.devices(), session_.connection()));
+  if (!open) emit cameraMissing(closedText());
   for (const device::DeviceReport& part : status.parts) {
     if (part.part != device::Part::camera || part.ok) continue;
     emit cameraMissing(tr("Looked for: %1\n%2\n\nIt is tried again by itself. Another camera is chosen in Devices.")

@@ -29,7 +29,7 @@ class SessionFeed : public QObject {
   void telemetry(std::span<const pipeline::TelemetrySample> samples);
   void silent(bool silent);  ///< no telemetry from the haptic loop for half a second
   void picture(const fyd::station::CameraView& view);
-  void parts(const std::vector<widgets::PartView>& parts);
+  void parts(const std::vector<widgets::PartView>& parts);  ///< none of a closed session
   void link(const widgets::LinkView& view);
   void recorder(const recording::RecorderStatus& status);
   void cameraMissing(const QString& why);

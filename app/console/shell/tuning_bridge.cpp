@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "app/console/shell/views.h"
 #include "core/station/profile/calibrated_values.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/tuning/tuning_text.h"
@@ -120,16 +121,19 @@ void TuningBridge::targetByHand() {
   by_hand_ = true;
   const widgets::TunedParameter* target = std::as_const(model_).find(kHandTarget);
   const double value = target != nullptr ? target->value : 0.0;
-  if (!session_.command({.action = pipeline::OperatorAction::target_by_hand, .value = value})) {
-    emit told(Severity::error, tr("The station did not take the target: too many commands at once. Try again."));
-  }
+  ask({.action = pipeline::OperatorAction::target_by_hand, .value = value});
 }
 
 void TuningBridge::targetFromRobot() {
   by_hand_ = false;
-  if (!session_.command({.action = pipeline::OperatorAction::target_from_robot})) {
-    emit told(Severity::error, tr("The station did not take the target: too many commands at once. Try again."));
-  }
+  ask({.action = pipeline::OperatorAction::target_from_robot});
+}
+
+void TuningBridge::ask(const pipeline::OperatorCommand& command) {
+  if (session_.command(command)) return;
+  emit told(Severity::error, session_.isOpen()
+                                 ? tr("The station did not take the target: too many commands at once. Try again.")
+                                 : closedText());
 }
 
 void TuningBridge::save() {

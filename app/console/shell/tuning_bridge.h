@@ -61,6 +61,7 @@ class TuningBridge : public QObject {
   };
 
   void apply(const QString& id, double value);
+  void ask(const pipeline::OperatorCommand& command);
   /// Whether `value` answers a change made here; that change and earlier ones are then settled.
   bool settle(const QString& id, double value);
   void lookForSilence();

@@ -123,6 +123,8 @@ bool inUse(const std::vector<device::DeviceReport>& devices, device::Part part) 
 
 }  // namespace
 
+QString closedText() { return tr("The session is closed: choose devices under Devices."); }
+
 QImage toImage(const cv::Mat& picture) {
   if (picture.empty() || picture.depth() != CV_8U) return {};
   const auto stride = static_cast<qsizetype>(picture.step);

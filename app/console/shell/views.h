@@ -26,6 +26,9 @@ namespace fyd::console {
                                                              const std::vector<device::DeviceReport>& devices,
                                                              const ConnectionWords& connection);
 
+/// Why a closed session does nothing, and what to do.
+[[nodiscard]] QString closedText();
+
 [[nodiscard]] widgets::LinkView toLink(const station::StationStatus& status);
 
 /// How an event is shown to the operator.

@@ -170,6 +170,7 @@ void MainWindow::connectFeed() {
   connect(feed_, &SessionFeed::telemetry, this, &MainWindow::takeSamples);
   connect(feed_, &SessionFeed::silent, stateBar(), &widgets::StateBar::showSilence);
   connect(feed_, &SessionFeed::parts, stateBar(), &widgets::StateBar::showParts);
+  connect(feed_, &SessionFeed::parts, this, &MainWindow::showWhetherClosed);
   connect(feed_, &SessionFeed::link, link_->panel(), &widgets::LinkPanel::setLink);
   connect(feed_, &SessionFeed::notice, this, &MainWindow::takeNotice);
   connect(feed_, &SessionFeed::readiness, this, &MainWindow::takeReadiness);
@@ -188,6 +189,7 @@ void MainWindow::connectDevices() {
     arm_once_ = false;
     stateBar()->restart();
   });
+  connect(connection_, &ConnectionChange::refreshed, this, &MainWindow::showWhetherClosed);
   connect(connection_, &ConnectionChange::told, this, [this](Severity severity, const QString& text) {
     const QString cause = QStringLiteral("connection");
     notices()->withdraw(cause);  // what the try before came to is no longer so
@@ -199,6 +201,11 @@ void MainWindow::connectDevices() {
   connect(first_steps_, &FirstSteps::ownAsked, this, [this] { chooseDevices(true); });
   frame_->addStrip(first_steps_->strip());
   frame_->addStrip(missing_->strip());
+}
+
+void MainWindow::showWhetherClosed() {
+  stateBar()->showClosed(connection_->closed());
+  if (connection_->closed()) state_ = pipeline::SafetyState::disconnected;
 }
 
 void MainWindow::chooseDevices(bool own) {
@@ -328,9 +335,9 @@ void MainWindow::stop() {
 }
 
 void MainWindow::ask(pipeline::OperatorAction action) {
-  if (!session_->command({.action = action})) {
-    tell(Severity::error, tr("The station did not take the command: too many at once. Try again."));
-  }
+  if (session_->command({.action = action})) return;
+  tell(Severity::error, session_->isOpen() ? tr("The station did not take the command: too many at once. Try again.")
+                                           : closedText());
 }
 
 void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples) {

@@ -101,6 +101,7 @@ class MainWindow : public QMainWindow {
   void buildDocks();
   void connectFeed();
   void connectDevices();
+  void showWhetherClosed();
   void chooseDevices(bool own);
   void connectStateBar();
   void connectCommands();
