@@ -196,8 +196,10 @@ void DeviceCard::showState(bool ok) {
 }
 
 void DeviceCard::setTests(const QStringList& words) {
-  test_area_->setVisible(!words.isEmpty());
-  if (!tests_.empty() || words.isEmpty()) return;
+  if (!tests_.empty() || words.isEmpty()) {
+    test_area_->setVisible(!words.isEmpty());
+    return;
+  }
   auto* layout = qobject_cast<QVBoxLayout*>(test_area_->layout());
   auto* row = new QHBoxLayout;
   row->setSpacing(kGrid);
@@ -212,6 +214,7 @@ void DeviceCard::setTests(const QStringList& words) {
   }
   layout->addLayout(row);
   layout->addWidget(test_words_);
+  test_area_->show();  // after its buttons are in it: one added to a shown area is shown only later
   allowTests(allowed_, why_not_);
 }
 
