@@ -478,6 +478,8 @@ class MannersTest : public QObject {
       for (const QAction* each : menu->menu()->actions()) in_menus.insert(each->objectName());
     }
     QSet<QString> in_palette;
+    f.window->review(
+        makeRecording(f.folder, QStringLiteral("session.h5")));  // over the list its commands are not offered
     for (const console::PlaceInfo& place : console::places()) {
       f.window->frame()->go(QLatin1String(place.id));
       f.window->palette()->open();
