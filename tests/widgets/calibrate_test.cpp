@@ -370,6 +370,54 @@ class CalibrateTest : public QObject {
     QVERIFY(std::abs(profile->step.sensing.finger.scale_x_mm_per_px - 100.0 / 220.0) < 0.01);
   }
 
+  void aCameraThatFallsSilentShowsNoPictureAndGivesNoPoint() {
+    Calibrating c("camera");
+    const auto camera = [&c](bool answers) {
+      device::DeviceReport report{
+          .part = device::Part::camera, .kind = verbatim("MJPEG"), .description = verbatim("camera of the script")};
+      report.ok = answers;
+      if (!answers) report.problem = verbatim("no picture for 0.9 s");
+      c.session->now.parts = {report};
+      if (answers) ++c.session->view.number;
+      c.window->feed().pump();
+    };
+    c.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));
+    camera(true);
+    QVERIFY(!c.page->picture()->picture().isNull());
+    QTest::mouseClick(c.page->picture(), Qt::LeftButton);
+    QVERIFY(c.page->picture()->place().has_value());
+    c.page->choose(QStringLiteral("camera-region"));
+    c.page->picture()->setRectangle(QRect(20, 20, 200, 150));
+    QTest::mousePress(c.page->picture(), Qt::LeftButton);  // a drag ends with the pictures
+    camera(false);
+    QTest::mouseRelease(c.page->picture(), Qt::LeftButton, {}, QPoint(30, 30));
+    QCOMPARE(c.page->picture()->rectangle(), QRect(20, 20, 200, 150));
+    for (const QString& part : {QStringLiteral("camera-region"), QStringLiteral("camera")}) {
+      c.page->choose(part);
+      for (const bool entered_anew : {false, true}) {
+        if (entered_anew) {
+          c.window->frame()->go(QStringLiteral("operate"));
+          c.window->frame()->go(QStringLiteral("calibrate"));
+        }
+        QVERIFY(c.page->picture()->picture().isNull());
+        if (part == QLatin1String("camera")) {
+          c.type(0, QStringLiteral("1"));
+          c.type(1, QStringLiteral("1"));
+        }
+        c.click(c.page->takeButton());
+        QVERIFY2(c.page->hint().contains(QLatin1String("there is no picture")), qPrintable(c.page->hint()));
+        QVERIFY(c.page->points().empty());
+      }
+    }
+    camera(true);
+    QVERIFY(!c.page->picture()->picture().isNull());
+    QTest::mouseClick(c.page->picture(), Qt::LeftButton);
+    c.type(0, QStringLiteral("1"));
+    c.type(1, QStringLiteral("1"));
+    c.click(c.page->takeButton());
+    QCOMPARE(c.page->points().size(), std::size_t{1});
+  }
+
   void marksThatArePressedDownTellTheCamerasHeight() {
     Calibrating c("camera");
     c.session->view.picture = cv::Mat(240, 320, CV_8UC1, cv::Scalar(200));

@@ -35,12 +35,19 @@ PicturePick::PicturePick(QWidget* parent) : QWidget(parent), empty_text_(tr("No 
 
 void PicturePick::setPicture(const QImage& picture) {
   picture_ = picture;
+  if (picture_.isNull()) pressed_.reset();
   update();
 }
 
 void PicturePick::setEmptyText(const QString& text) {
   empty_text_ = text;
   update();
+}
+
+void PicturePick::showMissing(const QString& text) {
+  setPicture({});
+  setPlace({});
+  setEmptyText(text);
 }
 
 void PicturePick::setKind(PickKind kind) {

@@ -20,6 +20,8 @@ class PicturePick : public QWidget {
   void setPicture(const QImage& picture);
   /// Words in place of a picture.
   void setEmptyText(const QString& text);
+  /// No picture comes: what was shown is no longer so, and a place in it is none.
+  void showMissing(const QString& text);
   void setKind(PickKind kind);
   /// What is marked beside the pick: places already taken, px of the picture.
   void setMarks(std::vector<QPointF> marks);

@@ -27,6 +27,13 @@ QFrame* panel(QWidget* parent, QVBoxLayout*& layout) {
   return out;
 }
 
+/// The session's newest picture is one of before.
+bool cameraIsMissing(const Session& session) {
+  return std::ranges::any_of(session.status().parts, [](const device::DeviceReport& part) {
+    return part.part == device::Part::camera && !part.ok;
+  });
+}
+
 }  // namespace
 
 CalibratePage::CalibratePage(const PageContext& context, QWidget* parent) : Page(parent), context_(context) {
@@ -62,7 +69,7 @@ CalibratePage::CalibratePage(const PageContext& context, QWidget* parent) : Page
     if (isVisible() && run_->step().picture() != CalibrationStep::Picture::none)
       picture_->setPicture(toImage(view.picture));
   });
-  connect(feed, &SessionFeed::cameraMissing, picture_, &widgets::PicturePick::setEmptyText);
+  connect(feed, &SessionFeed::cameraMissing, picture_, &widgets::PicturePick::showMissing);
   refreshParts();
   parts_->setCurrentRow(0);
 }
@@ -174,7 +181,7 @@ void CalibratePage::addCommands(PlaceCommands& commands) {
 
 void CalibratePage::enter() {
   buttons_->simulate()->setVisible(context_.session.simulated());
-  picture_->setPicture(toImage(context_.session.cameraView().picture));
+  picture_->setPicture(cameraIsMissing(context_.session) ? QImage() : toImage(context_.session.cameraView().picture));
   run_->takeProfile();
   refreshParts();
   poll();
