@@ -128,11 +128,12 @@ void HapticThread::publish(const Neighbours& neighbours, const pipeline::Outputs
   if (neighbours.stage != nullptr) neighbours.stage->show(*pipeline_.scene());
   if (!telemetry.push(outputs.telemetry)) telemetry_lost_.fetch_add(1, std::memory_order_relaxed);
   for (const pipeline::Event& event : outputs.events) {
+    if (event.kind == pipeline::EventKind::tare_done) {  // who hears of it finds its values
+      tare_.write(outputs.tare);
+      tares_.fetch_add(1, std::memory_order_release);
+    }
     const bool state = event.kind == pipeline::EventKind::state_changed;
     (void)events.push({.when = now, .event = event, .lateness = state ? lateness_.lastSecond() : Lateness{}});
-    if (event.kind != pipeline::EventKind::tare_done) continue;
-    tare_.write(outputs.tare);
-    tares_.fetch_add(1, std::memory_order_release);
   }
   neighbours.recorder.push({.inputs = inputs_, .outputs = outputs});
   faults_.store(static_cast<std::uint32_t>(outputs.faults.to_ulong()), std::memory_order_relaxed);

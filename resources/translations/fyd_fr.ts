@@ -3312,6 +3312,10 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
         <translation>Non pris : %1. Attendre le repos et reprendre le point.</translation>
     </message>
     <message>
+        <source>Not taken: a tare came in between. Take the point again.</source>
+        <translation>Non pris : une tare est venue entre-temps. Reprendre le point.</translation>
+    </message>
+    <message>
         <source>Not taken: see the entry at the left.</source>
         <translation>Non pris : voir la saisie à gauche.</translation>
     </message>

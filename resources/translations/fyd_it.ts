@@ -3312,6 +3312,10 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
         <translation>Non preso: %1. Attendere che sia fermo e riprendere il punto.</translation>
     </message>
     <message>
+        <source>Not taken: a tare came in between. Take the point again.</source>
+        <translation>Non preso: nel frattempo è arrivata una tara. Riprendere il punto.</translation>
+    </message>
+    <message>
         <source>Not taken: see the entry at the left.</source>
         <translation>Non preso: vedere il campo a sinistra.</translation>
     </message>

@@ -496,6 +496,34 @@ class CalibrateTest : public QObject {
     QVERIFY(c.partText("Cloth").contains(QLatin1String("fine")));
   }
 
+  void aTareThatComesMeanwhileCountsFromTheNextReading() {
+    Calibrating c("cloth");
+    constexpr int kReadings = 550;  // 11 s
+    const auto tare = [&c](double by_mm) {
+      for (std::size_t i = 0; i < 3; ++i) c.session->profile.step.sensing.indentation.ir_offset_mm[i] += by_mm;
+      station::Notice notice{.message = say("Tare done")};
+      notice.event.kind = pipeline::EventKind::tare_done;
+      c.session->notices.push_back(notice);
+      c.window->feed().pump();
+    };
+    pressCloth(c, 0, 3.0);
+    c.click(c.page->takeButton());
+    c.readings(kReadings);
+    QCOMPARE(c.page->points().size(), std::size_t{1});
+    tare(1.5);
+    c.click(c.page->takeButton());
+    c.readings(kReadings);
+    QCOMPARE(c.page->points().size(), std::size_t{2});
+    const double deeper_mm = c.page->points()[1].back() - c.page->points()[0].back();
+    QVERIFY2(std::abs(deeper_mm - 1.5) < 1e-6, qPrintable(QString::number(deeper_mm)));
+    c.click(c.page->takeButton());
+    c.readings(kReadings / 2);
+    tare(0.5);
+    QVERIFY2(c.page->hint().contains(QLatin1String("a tare came in between")), qPrintable(c.page->hint()));
+    c.readings(kReadings);
+    QCOMPARE(c.page->points().size(), std::size_t{2});
+  }
+
   void theStiffnessMapSaysWhetherItsIndentationWasProven() {
     for (const sim::ClothKind kind : {sim::ClothKind::ideal, sim::ClothKind::membrane}) {
       Calibrating c("stiffness");

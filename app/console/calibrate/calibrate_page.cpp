@@ -69,6 +69,12 @@ CalibratePage::CalibratePage(const PageContext& context, QWidget* parent) : Page
     if (isVisible() && run_->step().picture() != CalibrationStep::Picture::none)
       picture_->setPicture(toImage(view.picture));
   });
+  connect(feed, &SessionFeed::notice, this, [this](const station::Notice& notice) {
+    if (!notice.of_step || notice.event.kind != pipeline::EventKind::tare_done) return;
+    if (!isVisible()) return;  // enter() takes the values in force
+    run_->takeTare();
+    refreshParts();
+  });
   connect(feed, &SessionFeed::cameraMissing, picture_, &widgets::PicturePick::showMissing);
   refreshParts();
   parts_->setCurrentRow(0);

@@ -65,6 +65,12 @@ void CalibrationRun::takeProfile() {
   refit();
 }
 
+void CalibrationRun::takeTare() {
+  if (taking_now_) endPoint(tr("Not taken: a tare came in between. Take the point again."));
+  restartReadings();
+  takeProfile();
+}
+
 void CalibrationRun::choose(int step) {
   end();
   step_ = step;

@@ -46,6 +46,8 @@ class CalibrationRun : public QObject {
 
   /// Takes the values in force, as after a change of the profile.
   void takeProfile();
+  /// A tare: other values are in force, and a point that is being averaged was read with the former ones.
+  void takeTare();
   /// Goes to another part; ends a motion, or a point that is being averaged.
   void choose(int step);
   void end();
