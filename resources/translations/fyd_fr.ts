@@ -3508,6 +3508,10 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
         <translation>Opérateur : qui conduit ? Un nom ou des initiales.</translation>
     </message>
     <message>
+        <source>Other devices are connected: calibration points of the former ones are discarded (%1).</source>
+        <translation>D'autres appareils sont connectés : les points d'étalonnage des précédents sont écartés (%1).</translation>
+    </message>
+    <message>
         <source>Overshoot</source>
         <translation>Dépassement</translation>
     </message>
@@ -5006,6 +5010,10 @@ Pour commencer : %1</translation>
         <translation>Le touchpad répond. Étalonner ses parties, pour qu’on puisse se fier à ce qu’il montre ; les moteurs ne bougent que tant qu’un bouton est maintenu.</translation>
     </message>
     <message>
+        <source>The touchpad is not simulated: take its points by measuring.</source>
+        <translation>Le touchpad n'est pas simulé : prendre ses points en mesurant.</translation>
+    </message>
+    <message>
         <source>The touchpad's own</source>
         <translation>Du touchpad lui-même</translation>
     </message>
@@ -5052,6 +5060,14 @@ Pour commencer : %1</translation>
     <message>
         <source>These points are simulated: discard them before you measure.</source>
         <translation>Ces points sont simulés : les écarter avant de mesurer.</translation>
+    </message>
+    <message>
+        <source>These points were measured on another touchpad: discard them before you measure on the simulated one.</source>
+        <translation>Ces points ont été mesurés sur un autre touchpad : les écarter avant de mesurer sur le touchpad simulé.</translation>
+    </message>
+    <message>
+        <source>These points were measured on the simulated touchpad: discard them before you measure on this one.</source>
+        <translation>Ces points ont été mesurés sur le touchpad simulé : les écarter avant de mesurer sur celui-ci.</translation>
     </message>
     <message>
         <source>Thesis kd</source>

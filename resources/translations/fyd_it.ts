@@ -3508,6 +3508,10 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
         <translation>Operatore: chi conduce? Un nome o le iniziali.</translation>
     </message>
     <message>
+        <source>Other devices are connected: calibration points of the former ones are discarded (%1).</source>
+        <translation>Sono collegati altri dispositivi: i punti di calibrazione di quelli precedenti sono scartati (%1).</translation>
+    </message>
+    <message>
         <source>Overshoot</source>
         <translation>Sovraelongazione</translation>
     </message>
@@ -5006,6 +5010,10 @@ Per cominciare: %1</translation>
         <translation>Il touchpad risponde. Calibrarne le parti, perché ci si possa fidare di ciò che mostra; i motori si muovono solo mentre si tiene premuto un pulsante.</translation>
     </message>
     <message>
+        <source>The touchpad is not simulated: take its points by measuring.</source>
+        <translation>Il touchpad non è simulato: prendere i suoi punti misurando.</translation>
+    </message>
+    <message>
         <source>The touchpad's own</source>
         <translation>Del touchpad stesso</translation>
     </message>
@@ -5052,6 +5060,14 @@ Per cominciare: %1</translation>
     <message>
         <source>These points are simulated: discard them before you measure.</source>
         <translation>Questi punti sono simulati: scartarli prima di misurare.</translation>
+    </message>
+    <message>
+        <source>These points were measured on another touchpad: discard them before you measure on the simulated one.</source>
+        <translation>Questi punti sono stati misurati su un altro touchpad: scartarli prima di misurare su quello simulato.</translation>
+    </message>
+    <message>
+        <source>These points were measured on the simulated touchpad: discard them before you measure on this one.</source>
+        <translation>Questi punti sono stati misurati sul touchpad simulato: scartarli prima di misurare su questo.</translation>
     </message>
     <message>
         <source>Thesis kd</source>

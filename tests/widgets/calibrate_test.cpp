@@ -9,6 +9,7 @@
 #include "core/station/profile/calibration_file.h"
 #include "tests/sweep.h"
 #include "tests/widgets/calibrating.h"
+#include "tests/widgets/hands.h"
 #include "tests/widgets/suite.h"
 
 namespace fyd::tests {
@@ -266,6 +267,76 @@ class CalibrateTest : public QObject {
     c.page->enter();
     QVERIFY2(c.partText("Load cell").contains(QLatin1String("never calibrated")), qPrintable(c.partText("Load cell")));
     QVERIFY(c.page->simulateButton()->isHidden());
+  }
+
+  void noPointOfOneTouchpadIsAcceptedOnAnother() {
+    Calibrating c("load-cell");
+    const auto point = [&c](double force_N) {
+      c.session->reports = {touchpad(bridgeOf(force_N * 1000.0 / kStandardGravity))};
+      c.take(QString::number(force_N));
+    };
+    for (const double force_N : {0.0, 2.0, 4.0, 6.0, 8.0}) point(force_N);
+    QVERIFY(c.page->acceptButton()->isEnabled() && c.page->simulateButton()->isVisible());
+    c.page->choose(QStringLiteral("ir-1"));
+    c.take(QStringLiteral("100"));
+    c.page->choose(QStringLiteral("load-cell"));
+    c.session->profile.calibrated_on = "serial:A7";
+    c.session->profile.step.sensing.load_cell.slope_g_per_mV_per_V = 777.0;
+    changeDevices(c, {.touchpad = "modbus-tcp:10.0.0.7:502"});
+    QVERIFY(c.page->points().empty());
+    QVERIFY2(c.page->unfinished().isEmpty(), qPrintable(c.page->unfinished()));
+    QVERIFY(!c.page->acceptButton()->isEnabled() && !c.page->simulateButton()->isVisible());
+    QStringList told;
+    for (int i = 0; i < c.window->notices()->count(); ++i) told << c.window->notices()->text(i);
+    QVERIFY2(told.join(QLatin1Char('|')).contains(QLatin1String("are discarded (Load cell 5, Distance sensor 1 1)")),
+             qPrintable(told.join(QLatin1Char('|'))));
+    point(5.0);  // one is not enough, and Accept writes nothing
+    QCOMPARE(c.page->points().size(), std::size_t{1});
+    QVERIFY(!c.page->acceptButton()->isEnabled());
+    for (const double force_N : {0.0, 2.0, 4.0}) point(force_N);
+    QCOMPARE(c.page->fitPanel()->changes()->item(0, 1)->text().toDouble(), 777.0);  // its own value in force
+    c.state(SafetyState::stopped);
+    c.click(c.page->acceptButton());
+    const auto records = station::loadCalibrationRecords(c.profilePath());
+    QCOMPARE(records->size(), std::size_t{1});
+    QCOMPARE(records->front().touchpad, std::string("serial:A7"));
+    QVERIFY(!records->front().simulated);
+    QCOMPARE(records->front().points, std::int64_t{4});
+  }
+
+  void pointsOfTwoTouchpadsAreNotMixed() {
+    console::CalibrationPoints points;
+    points.add(0, {1.0}, console::PointOrigin::measured_on_simulation);
+    points.add(0, {2.0}, console::PointOrigin::measured);
+    QVERIFY(points.originOf(0) == console::PointOrigin::measured_on_simulation);
+    points.takeBack(0);
+    QVERIFY(points.originOf(0) == console::PointOrigin::measured_on_simulation);
+    points.takeBack(0);
+    points.takeBack(0);
+    points.add(0, {3.0}, console::PointOrigin::measured);
+    QVERIFY(points.originOf(0) == console::PointOrigin::measured);
+
+    Calibrating c("load-cell");
+    const auto refused = [&c](std::string_view on, const char* why) {
+      c.session->profile.calibrated_on = on;
+      const std::size_t before = c.page->points().size();
+      c.take(QStringLiteral("2"));
+      QVERIFY2(c.page->hint().contains(QLatin1String(why)), qPrintable(c.page->hint()));
+      QCOMPARE(c.page->points().size(), before);
+    };
+    c.take(QStringLiteral("1"));
+    refused("serial:A7", "measured on the simulated touchpad: discard them");
+    c.click(c.page->discardButton());
+    c.take(QStringLiteral("1"));
+    QCOMPARE(c.page->points().size(), std::size_t{1});
+    refused(station::kSimulatedTouchpad, "measured on another touchpad: discard them");
+    c.click(c.page->simulateButton());
+    QVERIFY2(c.page->hint().contains(QLatin1String("are measured: discard them")), qPrintable(c.page->hint()));
+    c.click(c.page->discardButton());
+    c.session->profile.calibrated_on = "serial:A7";
+    c.click(c.page->simulateButton());
+    QVERIFY2(c.page->hint().contains(QLatin1String("not simulated")), qPrintable(c.page->hint()));
+    QVERIFY(c.page->points().empty());
   }
 
   void discardKeepsTheOldValuesAndRefusedFilesToo() {

@@ -76,6 +76,7 @@ CalibratePage::CalibratePage(const PageContext& context, QWidget* parent) : Page
     refreshParts();
   });
   connect(feed, &SessionFeed::cameraMissing, picture_, &widgets::PicturePick::showMissing);
+  connect(&context_.connection, &ConnectionChange::arrived, this, &CalibratePage::changeDevices);
   refreshParts();
   parts_->setCurrentRow(0);
 }
@@ -192,6 +193,14 @@ void CalibratePage::enter() {
   refreshParts();
   poll();
   timer_.start();
+}
+
+void CalibratePage::changeDevices() {
+  run_->changeDevices();
+  picture_->setPicture({});  // of the former camera
+  buttons_->simulate()->setVisible(context_.session.simulated());
+  refreshParts();
+  showStep(parts_->currentRow());
 }
 
 QString CalibratePage::unfinished() const {

@@ -60,6 +60,7 @@ class CalibratePage : public Page {
   QWidget* buildMiddle();
   void connectRun();
   void connectButtons();
+  void changeDevices();
   void showStep(int step);
   void showReading(const Result<std::vector<double>>& reading);
   void showPointTaken(bool by_hand);

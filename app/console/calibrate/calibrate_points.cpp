@@ -1,5 +1,7 @@
 #include "app/console/calibrate/calibrate_points.h"
 
+#include <algorithm>
+
 namespace fyd::console {
 
 const std::vector<CalibrationPoint>& CalibrationPoints::of(int part) const {
@@ -20,12 +22,14 @@ bool CalibrationPoints::holdsSimulated(int part) const {
 void CalibrationPoints::add(int part, CalibrationPoint point, PointOrigin origin) {
   Taken& taken = parts_[part];
   taken.points.push_back(std::move(point));
-  taken.origin = origin;
+  taken.origin = std::max(taken.origin, origin);
 }
 
 void CalibrationPoints::takeBack(int part) {
   const auto found = parts_.find(part);
-  if (found != parts_.end() && !found->second.points.empty()) found->second.points.pop_back();
+  if (found == parts_.end()) return;
+  found->second.points.pop_back();
+  if (found->second.points.empty()) parts_.erase(found);  // and where they came from
 }
 
 }  // namespace fyd::console

@@ -8,7 +8,7 @@
 
 namespace fyd::console {
 
-/// Where points come from.
+/// Where points come from, from the most to the least trusted.
 enum class PointOrigin : std::uint8_t {
   measured,
   measured_on_simulation,  ///< readings of the simulated touchpad
@@ -19,12 +19,14 @@ class CalibrationPoints {
  public:
   /// @param part index of its step
   [[nodiscard]] const std::vector<CalibrationPoint>& of(int part) const;
+  /// Of the least trusted of its points; `measured`: it has none.
   [[nodiscard]] PointOrigin originOf(int part) const;
   /// Whether `part` holds points, and these are `simulated`.
   [[nodiscard]] bool holdsSimulated(int part) const;
   void add(int part, CalibrationPoint point, PointOrigin origin);
   void takeBack(int part);
   void clear(int part) { parts_.erase(part); }
+  void clear() { parts_.clear(); }
 
  private:
   struct Taken {

@@ -71,6 +71,18 @@ void CalibrationRun::takeTare() {
   takeProfile();
 }
 
+void CalibrationRun::changeDevices() {
+  end();
+  if (const QStringList lost = unaccepted(); !lost.isEmpty()) {
+    context_.tell(widgets::Severity::warning,
+                  tr("Other devices are connected: calibration points of the former ones are discarded (%1).")
+                      .arg(lost.join(QStringLiteral(", "))));
+  }
+  points_.clear();
+  restartReadings();
+  takeProfile();
+}
+
 void CalibrationRun::choose(int step) {
   end();
   step_ = step;
@@ -128,14 +140,29 @@ PointOrigin CalibrationRun::originOfReadings() const {
   return context_.session.simulated() ? PointOrigin::measured_on_simulation : PointOrigin::measured;
 }
 
+QString CalibrationRun::otherOrigin(PointOrigin origin) const {
+  if (points().empty() || points_.originOf(step_) == origin) return {};
+  if (points_.originOf(step_) == PointOrigin::simulated) {
+    return tr("These points are simulated: discard them before you measure.");
+  }
+  if (origin == PointOrigin::simulated) {
+    return tr("These points are measured: discard them before you take simulated ones.");
+  }
+  return origin == PointOrigin::measured
+             ? tr("These points were measured on the simulated touchpad: discard them before you measure on this one.")
+             : tr("These points were measured on another touchpad: discard them before you measure on the simulated "
+                  "one.");
+}
+
 void CalibrationRun::startPoint(const Picks& picks, const Entered& entered) {
   if (taking_now_) return;
   if (step().motion() != CalibrationStep::Motion::none) {
     emit said(tr("This part's points are taken by themselves while the button is held."), true);
     return;
   }
-  if (holdsSimulated() && !lifted_ && !step().onePoint()) {
-    emit said(tr("These points are simulated: discard them before you measure."), true);
+  const QString mixed = otherOrigin(lifted_ ? PointOrigin::simulated : originOfReadings());
+  if (!mixed.isEmpty() && !step().onePoint()) {
+    emit said(mixed, true);
     return;
   }
   if (!entered) {
@@ -199,8 +226,12 @@ void CalibrationRun::discard() {
 
 void CalibrationRun::simulate() {
   if (taking_now_ || lifted_) return;
-  if (!points().empty() && !holdsSimulated()) {
-    emit said(tr("These points are measured: discard them before you take simulated ones."), true);
+  if (!context_.session.simulated()) {
+    emit said(tr("The touchpad is not simulated: take its points by measuring."), true);
+    return;
+  }
+  if (const QString mixed = otherOrigin(PointOrigin::simulated); !mixed.isEmpty()) {
+    emit said(mixed, true);
     return;
   }
   auto simulated = step().simulatedPoints(profile_);
@@ -220,8 +251,8 @@ void CalibrationRun::simulate() {
 }
 
 void CalibrationRun::startMotion(const Entered& entered) {
-  if (holdsSimulated()) {
-    emit said(tr("These points are simulated: discard them before you measure."), true);
+  if (const QString mixed = otherOrigin(originOfReadings()); !mixed.isEmpty()) {
+    emit said(mixed, true);
     return;
   }
   if (!entered) {

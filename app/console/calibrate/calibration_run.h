@@ -48,6 +48,8 @@ class CalibrationRun : public QObject {
   void takeProfile();
   /// A tare: other values are in force, and a point that is being averaged was read with the former ones.
   void takeTare();
+  /// Other devices are connected: no point of the former ones remains.
+  void changeDevices();
   /// Goes to another part; ends a motion, or a point that is being averaged.
   void choose(int step);
   void end();
@@ -85,6 +87,8 @@ class CalibrationRun : public QObject {
   void takeExperiment();
   void refit();
   [[nodiscard]] PointOrigin originOfReadings() const;
+  /// Why points from there cannot be added to this part's, and what to do; empty: they can.
+  [[nodiscard]] QString otherOrigin(PointOrigin origin) const;
 
   PageContext context_;
   HeldMotion* motion_ = nullptr;
