@@ -148,13 +148,27 @@ Result<void> copyVerified(const std::string& source, const std::string& target) 
   return {};
 }
 
+/// Refuses a target that is the source under another name (a link, a folder mounted twice, a file system that does not
+/// tell capital letters from small ones): removing the source would remove the only copy.
+Result<void> isFileOfItsOwn(const std::string& source, const std::string& target) {
+  struct stat here {};
+  struct stat there {};
+  if (lstat(source.c_str(), &here) != 0) return fail(about(source, reason()));
+  if (lstat(target.c_str(), &there) != 0) return fail(about(target, reason()));
+  if (!S_ISREG(there.st_mode)) return fail("{}: expected an ordinary file; nothing was removed", target);
+  if (here.st_dev == there.st_dev && here.st_ino == there.st_ino) {
+    return fail("{}: is {} itself under another name, not a copy; nothing was removed", target, source);
+  }
+  return {};
+}
+
 /// Whether the target is already a complete copy of the source, left by an interrupted move.
 Result<bool> alreadyThere(const std::string& source, const std::string& target) {
   std::error_code error;
-  if (!fs::exists(target, error)) {
-    if (error) return fail(about(target, systemReason(error)));
-    return false;
-  }
+  const fs::file_status found = fs::symlink_status(target, error);
+  if (found.type() == fs::file_type::not_found) return false;
+  if (error) return fail(about(target, systemReason(error)));
+  if (auto own = isFileOfItsOwn(source, target); !own) return tl::unexpected(own.error());
   if (fs::file_size(target, error) == fs::file_size(source, error) && !error) {
     const auto there = hashOf(target);
     const auto here = hashOf(source);
@@ -189,6 +203,8 @@ Result<StoredFile> moveFile(const std::string& file, const std::string& folder,
     return fail("{}; the recording is whole in both places, {} and {}: store it again to finish", ok.error().message,
                 source.native(), target.native());
   }
+  // Once more: what stands under the target's name may have been replaced since.
+  if (auto own = isFileOfItsOwn(source, target); !own) return tl::unexpected(own.error());
   if (unlink(source.c_str()) != 0) {
     return fail("{}: stored, but the source cannot be removed: {}; it is whole in both places", source.native(),
                 reason());

@@ -66,6 +66,36 @@ TEST_F(ArchiveMove, AnotherFileOfTheNameIsNeverTouched) {
   EXPECT_EQ(readText(source), content);
 }
 
+TEST_F(ArchiveMove, ATargetThatIsTheSourceUnderAnotherNameKeepsTheOnlyCopy) {
+  const std::string there = target + "/a.h5";
+  const auto link = [&](const char* kind) {
+    fs::remove(there);
+    if (std::string_view(kind) == "symbolic")
+      fs::create_symlink(source, there);
+    else
+      fs::create_hard_link(source, there);
+  };
+  for (const char* kind : {"symbolic", "hard"}) {
+    link(kind);
+    const auto moved = moveFile(source, target, kAccept);
+    ASSERT_FALSE(moved) << kind;
+    EXPECT_THAT(moved.error().text(), HasSubstr(there)) << kind;
+    ASSERT_TRUE(fs::is_regular_file(fs::symlink_status(source))) << kind;
+    EXPECT_EQ(readText(source), content) << kind;
+    fs::remove(there);
+    EXPECT_FALSE(moveFile(source, target, [&](const std::string&) -> Result<void> {
+      link(kind);
+      return {};
+    })) << kind << ": the copy became a link just before the source would go";
+    ASSERT_TRUE(fs::exists(source)) << kind;
+    EXPECT_EQ(readText(source), content) << kind;
+  }
+  fs::remove(there);
+  fs::create_symlink(path("nothing"), there);
+  EXPECT_THAT(moveFile(source, target, kAccept).error().text(), HasSubstr("expected an ordinary file"));
+  EXPECT_EQ(readText(source), content);
+}
+
 TEST_F(ArchiveMove, ACatalogueThatRefusesKeepsBothAndAskingAgainFinishes) {
   const auto refused = moveFile(source, target, [](const std::string&) { return Result<void>(fail("server away")); });
   ASSERT_FALSE(refused);
