@@ -155,7 +155,7 @@ Result<void> isFileOfItsOwn(const std::string& source, const std::string& target
   struct stat there {};
   if (lstat(source.c_str(), &here) != 0) return fail(about(source, reason()));
   if (lstat(target.c_str(), &there) != 0) return fail(about(target, reason()));
-  if (!S_ISREG(there.st_mode)) return fail("{}: expected an ordinary file; nothing was removed", target);
+  if (!S_ISREG(there.st_mode)) return fail("{}: expected an ordinary file", target);
   if (here.st_dev == there.st_dev && here.st_ino == there.st_ino) {
     return fail("{}: is {} itself under another name, not a copy; nothing was removed", target, source);
   }

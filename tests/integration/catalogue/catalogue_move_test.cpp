@@ -83,10 +83,12 @@ TEST_F(ArchiveMove, ATargetThatIsTheSourceUnderAnotherNameKeepsTheOnlyCopy) {
     ASSERT_TRUE(fs::is_regular_file(fs::symlink_status(source))) << kind;
     EXPECT_EQ(readText(source), content) << kind;
     fs::remove(there);
-    EXPECT_FALSE(moveFile(source, target, [&](const std::string&) -> Result<void> {
-      link(kind);
-      return {};
-    })) << kind << ": the copy became a link just before the source would go";
+    EXPECT_FALSE(moveFile(source, target,
+                          [&](const std::string&) -> Result<void> {
+                            link(kind);
+                            return {};
+                          }))
+        << kind << ": the copy became a link just before the source would go";
     ASSERT_TRUE(fs::exists(source)) << kind;
     EXPECT_EQ(readText(source), content) << kind;
   }
