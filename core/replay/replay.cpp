@@ -93,7 +93,7 @@ class Run {
       last_step_ = record->telemetry.step;
       if (record->missing != 0) hold(*record);
       before_ = record->inputs;
-      step(*record, row == 0, elapsed_s, out);
+      if (auto stepped = step(*record, row == 0, elapsed_s, out); !stepped) return stepped;
       out.duration_s = secondsInto(recording_.info(), record->inputs.now);
     }
     out.stiffness_error_recorded_percent = recorded_error_.percent();
@@ -102,10 +102,12 @@ class Run {
   }
 
  private:
-  void step(recording::StepRecord& record, bool first, double elapsed_s, ReplayResult& out) {
+  [[nodiscard]] Result<void> step(recording::StepRecord& record, bool first, double elapsed_s, ReplayResult& out) {
     inputs_ = record.inputs;
     repeatOutcomes(record);
-    if (first || !wanted_.indices.empty()) change(first, record);
+    if (first || !wanted_.indices.empty()) {
+      if (auto changed = change(first, record); !changed) return changed;
+    }
     mark(out);
     if (plant_) plant_->answer(inputs_, pipeline_.parameters());
     const pipeline::Outputs& outputs = pipeline_.step(inputs_);
@@ -120,6 +122,7 @@ class Run {
       note(record, motors, outputs, out);
     state_ = outputs.telemetry.state;
     if (observer_) observer_(outputs.telemetry, record.telemetry);
+    return {};
   }
 
   /// Fills in the lost parts of a step: inputs as if nothing new came, commands as the replay computes them.
@@ -191,14 +194,24 @@ class Run {
     }
   }
 
-  void change(bool first, const recording::StepRecord& record) {
+  [[nodiscard]] Result<void> change(bool first, const recording::StepRecord& record) {
     const auto recorded = inputs_.changes;
     inputs_.changes.clear();
-    for (std::size_t i = 0; first && i < wanted_.changes.size(); ++i) (void)inputs_.changes.push(wanted_.changes[i]);
+    std::size_t more = 0;
+    const auto push = [&](const pipeline::ParameterChange& change) {
+      if (!inputs_.changes.push(change)) ++more;
+    };
+    if (first && !wanted_.from_rest) std::ranges::for_each(wanted_.changes, push);  // else the step was made with them
     for (const pipeline::ParameterChange& change : recorded) {
-      if (!isWanted(change.index)) (void)inputs_.changes.push(change);
+      if (!isWanted(change.index)) push(change);
     }
-    if (!wanted_.from_rest) return;
+    if (more > 0) {
+      return fail(
+          "{} parameters change with the first step, those of the recording included; a step takes at most {}: set "
+          "fewer at once",
+          inputs_.changes.size() + more, decltype(inputs_.changes)::capacity());
+    }
+    if (!wanted_.from_rest) return {};
     // Repeats the operator's actions from before the first row.
     if (first && inputs_.robot.phase == pipeline::LinkPhase::none && pipeline_.scene() == nullptr) {
       (void)inputs_.commands.push(
@@ -207,6 +220,7 @@ class Run {
     if (record.telemetry.state == pipeline::SafetyState::active && state_ == pipeline::SafetyState::ready) {
       (void)inputs_.commands.push({.action = pipeline::OperatorAction::arm});
     }
+    return {};
   }
 
   void note(const recording::StepRecord& record, const control::MotorCommand& motors, const pipeline::Outputs& outputs,

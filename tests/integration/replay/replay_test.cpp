@@ -138,6 +138,41 @@ TEST_F(Replay, AParameterThatIsNotLiveStartsFromRest) {
   EXPECT_EQ(last.state, pipeline::SafetyState::active) << "it armed where the operator had";
 }
 
+TEST_F(Replay, MoreLiveSettingsThanAStepTakesAreRefusedAndNoneIsForgotten) {
+  const auto recording = record(0.2, 2.0);
+  ASSERT_TRUE(recording);
+  pipeline::Parameters copy = options.parameters;
+  std::vector<std::string> settings;
+  for (const Parameter& each : bindParameters(copy)) {  // as they are
+    if (settings.size() < pipeline::kMaximumCommandsPerStep && each.kind == ParameterKind::real && each.info.live &&
+        each.id != "texture.k_vib") {
+      settings.push_back(fmt::format("{}={}", each.id, each.value()));
+    }
+  }
+  ASSERT_EQ(settings.size(), pipeline::kMaximumCommandsPerStep);
+  EXPECT_TRUE(replay::replay(*recording, {.settings = settings})) << "as many as a step takes";
+  settings.emplace_back("texture.k_vib=1.7");
+  const auto refused = replay::replay(*recording, {.settings = settings});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text(), HasSubstr("17 parameters change with the first step"));
+  EXPECT_THAT(refused.error().text(), HasSubstr("at most 16"));
+
+  std::vector<double> of_all;
+  std::vector<double> of_two;
+  const auto into = [](std::vector<double>& out) {
+    return [&out](const auto& sample, const auto&) {
+      out.push_back(std::isnan(sample.vibration_duty_percent) ? -1.0 : sample.vibration_duty_percent);
+    };
+  };
+  settings.emplace_back("pipeline.bridge_maximum_age_ms=90");  // not live: the step is made with all of them
+  ASSERT_TRUE(replay::replay(*recording, {.settings = settings}, into(of_all)));
+  ASSERT_TRUE(replay::replay(*recording, {.settings = {settings.end() - 2, settings.end()}}, into(of_two)));
+  EXPECT_EQ(of_all, of_two);
+  std::vector<double> without;
+  ASSERT_TRUE(replay::replay(*recording, {.settings = {settings.back()}}, into(without)));
+  EXPECT_NE(of_all, without) << "k_vib counts";
+}
+
 TEST_F(Replay, WrongSettingsAreNamed) {
   const auto recording = record(0.2, 0.5);
   ASSERT_TRUE(recording);
