@@ -229,7 +229,7 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
   result.outliers = findOutliers(presses.design, presses.force, {.least_sigma = kLeastNoise_N});
 
   const auto predicted = predictHeldOut(
-      foldsByOrder(rows.size()),
+      foldsByGroup(groups.of),
       [&](const std::vector<std::size_t>& learn) {
         const Presses part = pressesOf(s, groups, learn, with_offset);
         return fitLinear(part.design, part.force);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fyd::calibration {
 namespace {
@@ -38,6 +39,15 @@ std::vector<std::size_t> foldsByTarget(std::span<const double> targets, Ends end
 std::vector<std::size_t> foldsByOrder(std::size_t points) {
   std::vector<std::size_t> folds(points);
   for (std::size_t i = 0; i < points; ++i) folds[i] = i % kFolds;
+  return folds;
+}
+
+std::vector<std::size_t> foldsByGroup(std::span<const std::size_t> groups) {
+  std::vector<std::size_t> order(groups.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t point) { return groups[point]; });
+  std::vector<std::size_t> folds(groups.size());
+  for (std::size_t place = 0; place < order.size(); ++place) folds[order[place]] = place % kFolds;
   return folds;
 }
 

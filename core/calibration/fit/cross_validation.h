@@ -22,6 +22,10 @@ enum class Ends { held_out, kept };
 /// Folds dealt out in the given order of the points; for points without repeated targets.
 [[nodiscard]] std::vector<std::size_t> foldsByOrder(std::size_t points);
 
+/// Folds dealt out group by group, each group's points in their given order: a group of two points or more is never held
+/// out as a whole, in whatever order the points were taken. @param groups the group of each point
+[[nodiscard]] std::vector<std::size_t> foldsByGroup(std::span<const std::size_t> groups);
+
 /// @param fit called with the rows to learn from, returns a Result of something
 /// @param predict called with that something and a row, returns a double
 /// @return the prediction of each row that was held out; NaN where it never was, or where the fit failed

@@ -320,6 +320,39 @@ TEST(LoadCell, DriftAndHysteresisAreToldApart) {
   EXPECT_TRUE(std::isnan(calibrateLoadCell(once, kStandard).drift_N));
 }
 
+TEST(StiffnessMap, OfAnglesPressedInTurnIsThatOfAnglesPressedOneAfterTheOther) {
+  struct Press {
+    double angle_deg, depth_mm, force_N;
+  };
+  const auto mapOf = [](const std::vector<Press>& presses) {
+    StiffnessSamples samples;
+    for (const Press& press : presses) {
+      samples.angle_deg.push_back(press.angle_deg);
+      samples.indentation_mm.push_back(press.depth_mm);
+      samples.force_N.push_back(press.force_N);
+    }
+    return calibrateStiffness(samples, kStandard);
+  };
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> noise(0, 0.02);
+  constexpr int kAngles = 10;
+  std::vector<Press> in_turn;
+  for (const double depth : stepsTo(2, 10, 2)) {
+    for (int a = 0; a < kAngles; ++a) {
+      const double k = 0.4 + 0.03 * a;
+      in_turn.push_back({20.0 + 7.0 * a, depth, k * depth + noise(random)});
+    }
+  }
+  std::vector<Press> one_by_one = in_turn;
+  std::ranges::stable_sort(one_by_one, {}, &Press::angle_deg);
+  const auto turn = mapOf(in_turn);
+  EXPECT_TRUE(turn.result.verdict.accepted) << turn.result.verdict.reason.text();
+  EXPECT_NEAR(turn.result.held_out_rmse, mapOf(one_by_one).result.held_out_rmse, 1e-9);
+  ASSERT_EQ(turn.angles.size(), std::size_t{kAngles});
+  for (int a = 0; a < kAngles; ++a)
+    EXPECT_NEAR(turn.angles[static_cast<std::size_t>(a)].stiffness_N_per_mm, 0.4 + 0.03 * a, 0.01);
+}
+
 TEST(StiffnessMap, RecoversTheThesisPointsWithAWrongTare) {
   constexpr std::array<std::pair<double, double>, 4> kThesis = {{{20, 0.501}, {45, 0.550}, {60, 0.673}, {90, 0.715}}};
   int held = 0;
