@@ -37,8 +37,9 @@ Result<ExportSelection> selectRows(const recording::Recording& recording, const 
   ExportSelection selection{.fields = std::move(*fields), .progress = options.progress};
   const auto first = recording.rowAt(options.from_s);
   if (!first) return tl::unexpected(first.error());
-  // The row at to_s itself belongs to the export.
-  const auto end = recording.rowAt(std::nextafter(options.to_s, std::numeric_limits<double>::infinity()));
+  // The row at to_s itself belongs to the export; times of rows are whole nanoseconds.
+  constexpr double kNanosecond_s = 1e-9;
+  const auto end = recording.rowAt(options.to_s + kNanosecond_s);
   if (!end) return tl::unexpected(end.error());
   selection.end = std::isinf(options.to_s) ? recording.info().committed_samples : *end;
   selection.first = std::min(*first, selection.end);

@@ -15,6 +15,7 @@
 #include "core/export/export_csv_text.h"
 #include "core/export/export_words.h"
 #include "tests/unit/recording/fake_recording.h"
+#include "tests/unit/recording/recording_samples.h"
 
 namespace fyd::exports {
 namespace {
@@ -121,6 +122,23 @@ TEST_F(Export, RangeAndFieldsAreHonoured) {
   EXPECT_THAT(text, testing::StartsWith("time_s [s],force_N [N],step [1]\n0.1,"));
   EXPECT_THAT(text, HasSubstr("\n0.2,"));
   EXPECT_THAT(text, testing::Not(HasSubstr("\n0.201,")));
+}
+
+TEST_F(Export, OfARecordedFileTheRowsAtBothEndsBelongToTheRange) {
+  auto writer = recording::RecordingWriter::create(path("a.h5"), recording::samples::header());
+  ASSERT_TRUE(writer) << writer.error().text();
+  for (std::uint64_t row = 0; row < 300; ++row) ASSERT_TRUE((*writer)->append(recording::samples::plainStep(row)));
+  ASSERT_TRUE((*writer)->close());
+  const auto recording = recording::Recording::open(path("a.h5"));
+  ASSERT_TRUE(recording) << recording.error().text();
+  for (const double to_s : {0.1, 0.2, 0.255, 0.299}) {  // a row each millisecond
+    const auto first = static_cast<std::uint64_t>(std::llround(1000.0 * to_s));
+    EXPECT_EQ(done(exportRecording(**recording, path("one.csv"), {.from_s = to_s, .to_s = to_s, .replace = true})).rows,
+              1U)
+        << to_s;
+    EXPECT_EQ(done(exportRecording(**recording, path("all.csv"), {.to_s = to_s, .replace = true})).rows, first + 1)
+        << to_s;
+  }
 }
 
 TEST_F(Export, WrongWishesAreRefusedByNameAndLeaveNoFile) {

@@ -58,8 +58,9 @@ class FakeRecording : public Recording {
     std::uint64_t high = info_.committed_samples;
     while (low < high) {
       const std::uint64_t middle = (low + high) / 2;
-      (secondsInto(info_, row_(middle).now) < time_s ? low : high) =
-          middle + (secondsInto(info_, row_(middle).now) < time_s);
+      const bool before =
+          row_(middle).now < info_.header.started + fromSeconds(time_s);  // to the nanosecond, as in a file
+      (before ? low : high) = middle + (before ? 1 : 0);
     }
     return low;
   }
