@@ -44,7 +44,8 @@ void PictureHistory::drop() {
 }
 
 void PictureHistory::trim(Instant oldest) {
-  while (!pictures_.empty() && pictures_.front().taken < oldest) drop();
+  const auto unread = [this] { return reading_ && reader_ <= dropped_; };
+  while (!pictures_.empty() && pictures_.front().taken < oldest && !unread()) drop();
 }
 
 void PictureHistory::readFrom(Instant from) {

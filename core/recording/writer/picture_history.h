@@ -26,7 +26,7 @@ class PictureHistory {
   static constexpr std::size_t kMost_bytes = 40'000'000;
 
   void add(HeldPicture picture);
-  /// Drops pictures taken before `oldest`, read or not.
+  /// Drops pictures taken before `oldest`, but none that the reader has still to read: kMost_bytes alone bounds those.
   void trim(Instant oldest);
 
   /// The one reader: pictures taken at `from` and later.

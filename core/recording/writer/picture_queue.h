@@ -12,7 +12,7 @@ class PictureQueue {
  public:
   /// From the camera thread. A full queue drops its oldest picture.
   void offer(HeldPicture picture);
-  /// From the recorder's thread: takes what was offered, and drops what was taken before `oldest`.
+  /// From the recorder's thread: takes what was offered, and drops what was taken before `oldest` and is not to be read.
   void take(Instant oldest);
   [[nodiscard]] PictureHistory& history() { return pictures_; }
 

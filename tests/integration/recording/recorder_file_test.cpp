@@ -193,6 +193,24 @@ TEST_F(Recorded, WholePicturesComeAtTheirRateAndRegionsWithEveryOne) {
   }
 }
 
+TEST_F(Recorded, WithNothingKeptFromBeforeTheStartEveryPictureComes) {
+  startRecorder({.pre_trigger_s = 0.0});
+  run(0.5);
+  ASSERT_TRUE(recorder->begin({.path = file("late.h5")}));
+  run(0.2);
+  const cv::Mat picture(48, 64, CV_8UC1, cv::Scalar(9));
+  constexpr std::uint64_t kPictures = 20;
+  for (std::uint64_t i = 0; i < kPictures; ++i) {  // each comes after the steps of its moment, as from a camera
+    recorder->offerPicture(picture, {}, {}, samples.back().now - std::chrono::milliseconds(30), i);
+    run(0.05);
+  }
+  ASSERT_TRUE(recorder->end());
+  EXPECT_EQ(recorder->status().pictures_lost, 0U);
+  const auto recording = open("late.h5");
+  ASSERT_TRUE(recording);
+  EXPECT_EQ(recording->info().frames, kPictures);
+}
+
 TEST_F(Recorded, PicturesComeBackAsTheDetectorSawThem) {
   startRecorder();
   run(1.0);

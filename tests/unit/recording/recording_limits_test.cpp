@@ -226,13 +226,35 @@ TEST(PictureHistory, IsReadOnlyWhileSomebodyReads) {
   PictureHistory history;
   EXPECT_FALSE(history.read(instantAt(1))) << "nobody said from where";
   const cv::Mat picture(4, 4, CV_8UC1, cv::Scalar(1));
-  for (int i = 1; i <= 3; ++i) history.add({.picture = picture, .taken = instantAt(i)});
+  for (int i = 1; i <= 3; ++i) history.add({.picture = picture, .taken = instantAt(i), .number = std::uint64_t(i)});
   history.readFrom(instantAt(2));
   history.trim(instantAt(4));
-  EXPECT_EQ(history.lost(), 2U) << "2 and 3; number 1 was not wanted";
+  for (const std::uint64_t number : {2U, 3U}) {
+    const auto kept = history.read(instantAt(9));
+    ASSERT_TRUE(kept) << number << " is still to be read";
+    EXPECT_EQ(kept->number, number);
+  }
+  EXPECT_EQ(history.lost(), 0U);
   EXPECT_FALSE(history.read(instantAt(9)));
+  history.stopReading();
+  history.trim(instantAt(4));
+  history.readFrom(instantAt(0));
+  EXPECT_FALSE(history.read(instantAt(9))) << "they were old, and read";
   history.add({.picture = picture, .taken = instantAt(5), .number = 5});
   EXPECT_EQ(history.read(instantAt(9))->number, 5U);
+}
+
+TEST(PictureQueue, PicturesThatCameLateAreReadBeforeTheyAreDropped) {
+  PictureQueue queue;
+  queue.history().readFrom(instantAt(1));
+  queue.offer({.picture = cv::Mat(4, 4, CV_8UC1, cv::Scalar(1)), .taken = instantAt(2), .number = 7});
+  queue.take(instantAt(3));  // nothing is kept from before, and the camera is slower than the steps
+  const auto late = queue.history().read(instantAt(3));
+  ASSERT_TRUE(late);
+  EXPECT_EQ(late->number, 7U);
+  queue.take(instantAt(3));
+  queue.history().readFrom(instantAt(0));
+  EXPECT_FALSE(queue.history().read(instantAt(3))) << "read, and old";
 }
 
 TEST(PictureQueue, KeepsTheNewestWhenNobodyTakesThem) {
