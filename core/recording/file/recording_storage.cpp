@@ -58,6 +58,7 @@ RecordingStorage::RecordingStorage(const LeftBehind& left_behind, std::shared_pt
 }
 
 RecordingStorage::~RecordingStorage() {
+  const auto lock = hdf5Lock();  // a member: its owner's destructor holds the lock no longer
   disk_->abandon();
   file_.reset();
 }

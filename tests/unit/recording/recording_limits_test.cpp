@@ -6,8 +6,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,6 +22,7 @@
 #include "core/recording/file/recording_driver.h"
 #include "core/recording/file/recording_hdf5.h"
 #include "core/recording/file/recording_place.h"
+#include "core/recording/file/recording_storage.h"
 #include "core/recording/writer/disk_space.h"
 #include "core/recording/writer/picture_history.h"
 #include "core/recording/writer/picture_queue.h"
@@ -160,6 +163,22 @@ TEST(RecordingDriver, KnowsItsOwnFilesOnly) {
   ASSERT_GE(file, 0);
   EXPECT_THROW((void)diskBytes(file), RecordingFailure);
   H5Fclose(file);
+}
+
+TEST(RecordingStorage, ClosesItsFileUnderTheLockOfHdf5) {
+  const samples::Folder folder;
+  auto lock = hdf5Lock();
+  auto storage = std::make_unique<RecordingStorage>(folder.file(), std::make_shared<DiskCalls>());
+  std::atomic<bool> closed = false;
+  std::thread other([&] {
+    storage.reset();
+    closed = true;
+  });
+  std::this_thread::sleep_for(200ms);
+  EXPECT_FALSE(closed) << "this thread may be within HDF5";
+  lock.unlock();
+  other.join();
+  EXPECT_TRUE(closed);
 }
 
 TEST(RecordingPlace, AFolderThatIsNotThereCannotBeSynced) {
