@@ -34,10 +34,30 @@ std::optional<cv::Size> sized(std::uint32_t width, std::uint32_t height) {
   return cv::Size(static_cast<int>(width), static_cast<int>(height));
 }
 
+constexpr std::uint8_t kMarker = 0xFF;
+
+/// Whether a length follows the marker, for every decoder. Behind others (FF01, FFD0…FFD7) a decoder goes on with the
+/// next marker, which may be another frame than the one that stands where a length would lead.
+bool hasLength(std::uint8_t kind) {
+  constexpr std::uint8_t kHuffman = 0xC4, kArithmetic = 0xCC, kQuantization = 0xDB, kRestart = 0xDD;
+  constexpr std::uint8_t kApplication = 0xE0, kLastApplication = 0xEF, kComment = 0xFE;
+  return kind == kHuffman || kind == kArithmetic || kind == kQuantization || kind == kRestart || kind == kComment ||
+         (kind >= kApplication && kind <= kLastApplication);
+}
+
+/// Whether no more scans follow than a baseline picture has components: each scan is as much work as the whole picture.
+bool hasFewScans(Bytes bytes) {
+  constexpr std::uint8_t kScan = 0xDA;
+  constexpr int kMostScans = 4;
+  int scans = 0;
+  for (std::size_t at = 0; at + 1 < bytes.size(); ++at)
+    if (bytes[at] == kMarker && bytes[at + 1] == kScan && ++scans > kMostScans) return false;
+  return true;
+}
+
 /// Follows the markers up to the frame header (SOF). Refuses progressive JPEGs, which may hold a thousand full scans.
 std::optional<cv::Size> jpegSize(Bytes bytes) {
-  constexpr std::uint8_t kMarker = 0xFF, kBaseline = 0xC0, kScan = 0xDA, kOtherFrames = 0xC1, kLastFrame = 0xCF;
-  constexpr std::uint8_t kHuffman = 0xC4, kArithmetic = 0xCC;
+  constexpr std::uint8_t kBaseline = 0xC0;
   for (std::size_t at = 2; at + 9 <= bytes.size();) {
     const std::uint8_t kind = bytes[at + 1];
     if (bytes[at] != kMarker) return std::nullopt;
@@ -45,10 +65,13 @@ std::optional<cv::Size> jpegSize(Bytes bytes) {
       ++at;
       continue;
     }
-    if (kind == kBaseline) return sized(bigEndian(bytes.subspan(at + 7, 2)), bigEndian(bytes.subspan(at + 5, 2)));
-    const bool other_frame = kind >= kOtherFrames && kind <= kLastFrame && kind != kHuffman && kind != kArithmetic;
-    if (other_frame || kind == kScan) return std::nullopt;
-    at += 2 + bigEndian(bytes.subspan(at + 2, 2));
+    if (kind == kBaseline) {
+      if (!hasFewScans(bytes.subspan(at))) return std::nullopt;
+      return sized(bigEndian(bytes.subspan(at + 7, 2)), bigEndian(bytes.subspan(at + 5, 2)));
+    }
+    const std::uint32_t length = bigEndian(bytes.subspan(at + 2, 2));  // counts itself
+    if (!hasLength(kind) || length < 2) return std::nullopt;
+    at += 2 + length;
   }
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
@@ -53,6 +54,34 @@ TEST(PictureDecode, AVastPictureIsRefusedWithItsSize) {
   for (auto at = jpeg.begin(); at + 9 < jpeg.end(); ++at)
     if (at[0] == 0xFF && at[1] == 0xC0) at[5] = at[7] = 0xFF;  // the frame's height and width
   EXPECT_THAT(errorOf(jpeg), testing::HasSubstr("65296 × 65296 pixels"));
+}
+
+TEST(PictureDecode, ASmallFrameThatOnlyALengthLeadsToDoesNotHideTheOneThatIsDecoded) {
+  const Bytes real = encoded(".jpg", cv::Mat(64, 48, CV_8UC1, cv::Scalar(9)), {cv::IMWRITE_JPEG_PROGRESSIVE, 1});
+  Bytes bytes{0xFF, 0xD8, 0xFF, 0x01};  // TEM: a decoder goes on at the next marker
+  bytes.insert(bytes.end(), real.begin() + 2, real.end());
+  const std::size_t marker_as_length = std::size_t{bytes[4]} << 8U | bytes[5];
+  bytes.resize(4 + marker_as_length);
+  bytes.insert(bytes.end(), {0xFF, 0xC0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0});  // 8 × 8, baseline
+  EXPECT_FALSE(pictureSize(bytes));
+  EXPECT_NE(errorOf(bytes), "");
+}
+
+TEST(PictureDecode, MoreScansThanABaselinePictureHasAreRefused) {
+  const Bytes whole = encoded(".jpg", cv::Mat(64, 64, CV_8UC3, cv::Scalar(1, 2, 3)));
+  const auto scan = std::ranges::search(whole, Bytes{0xFF, 0xDA}).begin();
+  ASSERT_NE(scan, whole.end());
+  const auto ofScans = [&](std::size_t scans) {
+    Bytes out(whole.begin(), scan);
+    for (std::size_t i = 0; i < scans; ++i) {  // each of one component, and empty: decoded as zeros
+      const auto component = static_cast<std::uint8_t>(1 + i % 3);
+      out.insert(out.end(), {0xFF, 0xDA, 0, 8, 1, component, 0, 0, 63, 0});
+    }
+    out.insert(out.end(), {0xFF, 0xD9});
+    return out;
+  };
+  EXPECT_EQ(errorOf(ofScans(3)), "") << "one for each component";
+  EXPECT_NE(errorOf(ofScans(30)), "");
 }
 
 TEST(PictureDecode, KindsThatAreNotRecordedAreRefused) {

@@ -213,6 +213,9 @@ TEST(JpegHeaders, AreFollowedMarkerByMarkerUpToABaselineFrame) {
   EXPECT_FALSE(behind({0xFF, 0xC2, 0, 3, 1})) << "progressive";
   EXPECT_FALSE(behind({0xFF, 0xCF, 0, 3, 1})) << "the last kind of frame";
   EXPECT_FALSE(behind({0xFF, 0xDA, 0, 3, 1})) << "a scan before a frame";
+  for (const std::uint8_t kind : Jpeg{0x01, 0xD0, 0xD3, 0xD7, 0x02, 0xBF, 0xF0})
+    EXPECT_FALSE(behind({0xFF, kind, 0, 3, 1})) << "no length follows this marker: " << int{kind};
+  EXPECT_FALSE(behind({0xFF, 0xFE, 0, 1, 1})) << "a length that does not count itself";
   EXPECT_FALSE(sizeOfJpeg({0xFF, 0xC0, 0, 17, 8, 0, 0, 0, 40})) << "no rows";
   EXPECT_FALSE(sizeOfJpeg({0xFF, 0xC0, 0, 17, 8, 0, 30, 0, 0})) << "no columns";
   EXPECT_FALSE(pictureSize(Jpeg{0xFF, 0xD8})) << "nothing follows";
