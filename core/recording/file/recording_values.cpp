@@ -2,9 +2,21 @@
 
 #include <algorithm>
 
+#include "core/recording/file/recording_driver.h"
 #include "core/recording/file/recording_layout.h"
 
 namespace fyd::recording {
+namespace {
+
+/// A value that was never written takes no room in the file, and HDF5 would give as many zeros as its size says.
+void checkIsWritten(hid_t file, hid_t set, const char* path, std::uint64_t bytes) {
+  const std::uint64_t stored = H5Dget_storage_size(set);
+  if (stored != bytes || bytes > diskBytes(file))
+    failHard("{}: says to be {} bytes, while {} stand in the file of {} bytes", path, bytes, stored, diskBytes(file));
+}
+
+}  // namespace
+
 void writeText(hid_t file, const char* path, const std::string& text) {
   const Handle properties(H5Pcreate(H5P_LINK_CREATE), H5Pclose, path);
   check(H5Pset_create_intermediate_group(properties.id(), 1), path);
@@ -25,6 +37,7 @@ std::string readText(hid_t file, const char* path) {
   if (H5Sget_simple_extent_npoints(space.id()) != 1) failHard("{}: not one text", path);
   const std::size_t size = H5Tget_size(type.id());
   if (size > kLongestText) failHard("{}: a text of {} bytes", path, size);
+  checkIsWritten(file, set.id(), path, size);
   std::string text(size, '\0');
   check(H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), path);
   return text;
@@ -45,6 +58,7 @@ std::string readBytes(hid_t file, const char* path, std::uint64_t most) {
   if (H5Tequal(type.id(), H5T_STD_U8LE) <= 0) failHard("{}: not bytes", path);
   const hssize_t size = H5Sget_simple_extent_npoints(space.id());
   if (size < 0 || static_cast<std::uint64_t>(size) > most) failHard("{}: {} bytes", path, size);
+  checkIsWritten(file, set.id(), path, static_cast<std::uint64_t>(size));
   std::string bytes(static_cast<std::size_t>(size), '\0');
   check(H5Dread(set.id(), H5T_STD_U8LE, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), path);
   return bytes;

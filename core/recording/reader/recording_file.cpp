@@ -144,7 +144,17 @@ class Hdf5Recording final : public DamagedRecording {
     return all<LinkRow>(Table::link, [&](std::uint64_t i) { return tables_->value<LinkRow>(Table::link, i); });
   }
   Result<std::vector<Note>> notes() const override {
-    return all<Note>(Table::notes, [&](std::uint64_t i) { return noteOf(i); });
+    std::uint64_t end = 0;  // of the texts so far: many notes of one text would take the square of the file's length
+    return all<Note>(Table::notes, [&](std::uint64_t i) {
+      const auto row = tables_->value<NoteIndex>(Table::notes, i);
+      if (i == 0) end = 0;
+      if (row.text_start < end)
+        failHard("{}: row {} says that its text begins at byte {}; expected {} or more, behind the text before it",
+                 layoutOf(Table::notes).path, i, row.text_start, end);
+      Note note = noteOf(i);
+      end = row.text_start + row.text_bytes;
+      return note;
+    });
   }
 
   Result<Note> note(std::uint64_t index) const override {

@@ -180,6 +180,68 @@ TEST_F(RecordingLayout, ACommitThatCountsMoreStepsThanItMayIsNotTaken) {
   EXPECT_EQ((*recording)->info().committed_samples, 500U);
 }
 
+TEST_F(RecordingLayout, ValuesThatTheFileDoesNotHoldAreRefusedBeforeTheyTakeMemory) {
+  const hsize_t bytes = hsize_t{1} << 31U;
+  change([&](hid_t id) {
+    const hid_t space = H5Screate_simple(1, &bytes, nullptr);
+    H5Dclose(H5Dcreate2(id, "/header/scene", H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    H5Sclose(space);
+  });
+  EXPECT_THAT(Recording::open(file).error().text(),
+              HasSubstr(fmt::format("/header/scene: says to be {} bytes, while 0 stand in the file", bytes)));
+  ::unlink(file.c_str());
+  record(file);
+  change([&](hid_t id) {
+    H5Ldelete(id, "/header/notes", H5P_DEFAULT);
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, 1'000'000);
+    const hid_t space = H5Screate(H5S_SCALAR);
+    H5Dclose(H5Dcreate2(id, "/header/notes", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    H5Sclose(space);
+    H5Tclose(type);
+  });
+  EXPECT_THAT(Recording::open(file).error().text(),
+              HasSubstr("/header/notes: says to be 1000000 bytes, while 0 stand"));
+}
+
+TEST_F(RecordingLayout, NotesWhoseTextsOverlapAreRefused) {
+  ::unlink(file.c_str());
+  {
+    auto writer = RecordingWriter::create(file, header());
+    ASSERT_TRUE(writer) << writer.error().text();
+    for (const char* text : {"first", "second", "third"}) ASSERT_TRUE((*writer)->append(Note{.text = text}));
+    ASSERT_TRUE((*writer)->close());
+  }
+  EXPECT_EQ((*Recording::open(file))->notes()->at(2).text, "third");
+  const TableLayout& notes = layoutOf(Table::notes);
+  const auto start = std::ranges::find(notes.columns, "text_start", &Column::name);
+  ASSERT_NE(start, notes.columns.end());
+  change([&](hid_t id) {
+    std::vector<std::byte> rows(3 * notes.row_bytes);
+    const hid_t set = H5Dopen2(id, "/notes/index", H5P_DEFAULT);
+    const hid_t row = H5Dget_type(set);
+    EXPECT_GE(H5Dread(set, row, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), 0);
+    rows[2 * notes.row_bytes + start->offset] = std::byte{4};  // within "first"
+    EXPECT_GE(H5Dwrite(set, row, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()), 0);
+    const hid_t commit_set = H5Dopen2(id, "/commits", H5P_DEFAULT);
+    const hid_t commit = H5Dget_type(commit_set);
+    std::array<CommitRow, 2> commits;  // at the beginning and at the end
+    EXPECT_GE(H5Dread(commit_set, commit, H5S_ALL, H5S_ALL, H5P_DEFAULT, commits.data()), 0);
+    CommitRow& last = commits.back();
+    last.crc[indexOf(Table::notes)] = crc32c(rows);
+    last.own_crc = crc32c(std::as_bytes(std::span(&last, 1)).first(offsetof(CommitRow, own_crc)));
+    EXPECT_GE(H5Dwrite(commit_set, commit, H5S_ALL, H5S_ALL, H5P_DEFAULT, commits.data()), 0);
+    for (const auto& [close, what] :
+         {std::pair{&H5Dclose, set}, {&H5Dclose, commit_set}, {&H5Tclose, row}, {&H5Tclose, commit}})
+      close(what);
+  });
+  const auto opened = Recording::open(file);
+  ASSERT_TRUE(opened) << opened.error().text();
+  const auto read = (*opened)->notes();
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().text(), HasSubstr("/notes/index: row 2 says that its text begins at byte 4; expected 11"));
+}
+
 TEST_F(RecordingLayout, ColumnsThatAreNotWhatTheirNamesSayAreRefused) {
   struct Case {
     std::size_t row_bytes;
