@@ -1,6 +1,9 @@
 #include "core/recording/reader/recording_steps.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
 
 #include "core/recording/format/step_row.h"
 
@@ -107,13 +110,29 @@ StepRecord read(const RecordingTables& tables, std::uint32_t missing, std::uint6
 }  // namespace
 
 MissingParts::MissingParts(std::span<const MissingRows> missing) {
+  // Where an entry begins or ends, in the order of the rows: entries may overlap, and a file may hold very many.
+  struct Edge {
+    std::uint64_t row;
+    std::uint32_t bits;
+    bool begins;
+  };
+  std::vector<Edge> edges;
   for (const MissingRows& rows : missing) {
-    const std::uint32_t bit = bitOfPath(rows.table) & kPartsOfStep;
-    if (bit == 0 || rows.count == 0) continue;
-    const std::uint64_t end = rows.first + std::min(rows.count, kNoRow - rows.first);
-    from_.try_emplace(end, at(end));
-    for (auto here = from_.try_emplace(rows.first, at(rows.first)).first; here->first != end; ++here)
-      here->second |= bit;
+    const std::uint32_t bits = bitOfPath(rows.table) & kPartsOfStep;
+    if (bits == 0 || rows.count == 0) continue;
+    edges.push_back({rows.first, bits, true});
+    edges.push_back({rows.first + std::min(rows.count, kNoRow - rows.first), bits, false});
+  }
+  std::ranges::sort(edges, {}, &Edge::row);
+  std::array<std::int64_t, std::numeric_limits<std::uint32_t>::digits> open{};  // entries that cover the row, by bit
+  for (const Edge& edge : edges) {
+    std::uint32_t covered = 0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const std::uint32_t bit = std::uint32_t{1} << i;
+      if ((edge.bits & bit) != 0) open[i] += edge.begins ? 1 : -1;
+      if (open[i] > 0) covered |= bit;
+    }
+    from_.insert_or_assign(from_.end(), edge.row, covered);
   }
 }
 
