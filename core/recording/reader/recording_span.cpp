@@ -93,7 +93,8 @@ Overview overviewOf(const RecordingTables& tables, Instant started, std::size_t 
                     std::uint64_t end, std::size_t buckets) {
   Overview overview;
   if (buckets == 0 || first >= end) return overview;
-  std::size_t levels = 0;  // as many as are coarse enough; of these the last is read
+  buckets = std::min<std::uint64_t>(buckets, end - first);  // more would be empty, and their sum with the rows overflow
+  std::size_t levels = 0;                                   // as many as are coarse enough; of these the last is read
   while (levels < kOverviewRows.size() && kOverviewRows[levels] <= (end - first) / buckets) ++levels;
   const int level = static_cast<int>(levels) - 1;
   // Buckets begin at multiples of the level's rows, so that only the two outermost touch finer levels.

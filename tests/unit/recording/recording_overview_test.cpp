@@ -108,6 +108,7 @@ TEST(RecordingOverview, OddQuestionsHaveAnswers) {
   EXPECT_TRUE(recording->overview(kForce, 5, 9, 10)->values.empty());
   EXPECT_TRUE(recording->overview(kForce, 0.8, 0.2, 10)->values.empty());
   EXPECT_EQ(recording->overview(kForce, -INFINITY, INFINITY, 5000)->values.size(), 1000U);
+  EXPECT_EQ(recording->overview(kForce, -INFINITY, INFINITY, ~std::size_t{0})->values.size(), 1000U);
   EXPECT_FALSE(recording->overview(kForce, NAN, 1, 10));
   EXPECT_FALSE(recording->overview(1000, 0, 1, 10));
   EXPECT_FALSE(recording->rowAt(NAN));
