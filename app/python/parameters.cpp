@@ -49,19 +49,34 @@ const Parameter& ParameterSet::find(const std::string& id) const {
   return *found;
 }
 
+namespace {
+
+std::string numberText(const py::handle& value) {
+  const auto number = py::reinterpret_borrow<py::object>(value);
+  if (!py::isinstance<py::bool_>(value)) {
+    if (py::hasattr(value, "__index__")) return py::repr(py::int_(number));
+    if (py::hasattr(value, "__float__")) return py::repr(py::float_(number));
+  }
+  throw py::type_error(
+      fmt::format("{}: no number, truth value, text or list of numbers", std::string(py::repr(value))));
+}
+
+}  // namespace
+
 std::string written(const py::handle& value) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
   if (py::isinstance<py::str>(value)) return value.cast<std::string>();
   if (py::hasattr(value, "__iter__")) {
+    // Numbers only, for a list may contain itself; and one more than a list holds, which is then told of.
     std::string out;
-    for (const auto& item : value) out += fmt::format("{}{}", out.empty() ? "" : ", ", written(item));
+    std::size_t count = 0;
+    for (const auto& item : value) {
+      out += fmt::format("{}{}", out.empty() ? "" : ", ", numberText(item));
+      if (++count > kParameterListCapacity) break;
+    }
     return fmt::format("[{}]", out);
   }
-  const auto number = py::reinterpret_borrow<py::object>(value);
-  if (py::hasattr(value, "__index__")) return py::repr(py::int_(number));
-  if (py::hasattr(value, "__float__")) return py::repr(py::float_(number));
-  throw py::type_error(
-      fmt::format("{}: no number, truth value, text or list of numbers", std::string(py::repr(value))));
+  return numberText(value);
 }
 
 void assign(const Parameter& parameter, const py::handle& value) {

@@ -1,4 +1,5 @@
 """Parameters, against what the program's own `fyd params` says of them."""
+import itertools
 import json
 import math
 
@@ -74,6 +75,20 @@ def test_wrong_kinds_are_told():
         parameters["no.such"] = 1
     with pytest.raises(fyd.InvalidValue, match="no.such"):
         fyd.Parameters({"no.such": 1})
+
+
+def test_a_list_holds_numbers_and_no_more_than_it_may():
+    parameters = fyd.Parameters()
+    lists = next(name for name in parameters if fyd.Parameters.info(name).kind == "list")
+    before = parameters[lists]
+    itself = [1.0]
+    itself.append(itself)
+    for wrong in (itself, [[1.0]], ["1"], [True], [None]):
+        with pytest.raises(TypeError):
+            parameters[lists] = wrong
+    with pytest.raises(fyd.InvalidValue, match=f"{lists}: at most 16 values"):
+        parameters[lists] = itertools.repeat(fyd.Parameters.info(lists).minimum)  # without end
+    assert parameters[lists] == before
 
 
 def test_several_are_set_together_or_not_at_all():
