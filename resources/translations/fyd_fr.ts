@@ -9022,6 +9022,10 @@ Pour commencer : %1</translation>
         <translation>{} appuis sur {} sont à plus de {:g} mm d'un capteur (jusqu'à {:.1f} mm), ou au-dessus d'un qui ne lit pas ; ils ne disent aucune profondeur et ont été laissés de côté</translation>
     </message>
     <message>
+        <source>{} parameters change with the first step, those of the recording included; a step takes at most {}: set fewer at once</source>
+        <translation>{} paramètres changent avec le premier pas, ceux de l'enregistrement compris ; un pas en prend au plus {} : en régler moins à la fois</translation>
+    </message>
+    <message>
         <source>{} points at {:.3g} deg; expected at least {}: press there again, to different depths</source>
         <translation>{} points à {:.3g}° ; il en faut au moins {} : presser encore là, à des profondeurs différentes</translation>
     </message>
@@ -9450,6 +9454,10 @@ Pour commencer : %1</translation>
         <translation>{} : est encore en cours d'enregistrement ; le fermer d'abord</translation>
     </message>
     <message>
+        <source>{}: is {} itself under another name, not a copy; nothing was removed</source>
+        <translation>{} : est {} lui-même sous un autre nom, pas une copie ; rien n'a été supprimé</translation>
+    </message>
+    <message>
         <source>{}: its calibrations do not tell on which touchpad they were made; they are used with {}</source>
         <translation>{} : ses étalonnages ne disent pas sur quel touchpad ils ont été faits ; ils servent avec : {}</translation>
     </message>
@@ -9678,6 +9686,10 @@ Pour commencer : %1</translation>
         <translation>{} : ligne {} sur {}</translation>
     </message>
     <message>
+        <source>{}: row {} says that its text begins at byte {}; expected {} or more, behind the text before it</source>
+        <translation>{} : la ligne {} dit que son texte commence à l'octet {} ; attendu {} ou plus, derrière le texte qui précède</translation>
+    </message>
+    <message>
         <source>{}: rows from {} on are packed otherwise</source>
         <translation>{} : les lignes à partir de {} sont compressées autrement</translation>
     </message>
@@ -9708,6 +9720,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: saved values are felt now; go back to the current ones to change it</source>
         <translation>{} : les valeurs enregistrées sont ressenties ; revenir aux actuelles pour le changer</translation>
+    </message>
+    <message>
+        <source>{}: says to be {} bytes, while {} stand in the file of {} bytes</source>
+        <translation>{} : dit faire {} octets, alors que {} se trouvent dans le fichier de {} octets</translation>
     </message>
     <message>
         <source>{}: scene.accuracy "{}": expected a share such as "1%", above 0 and up to 100%</source>

@@ -9022,6 +9022,10 @@ Per cominciare: %1</translation>
         <translation>{} di {} pressioni sono a più di {:g} mm da un sensore (fino a {:.1f} mm), o sopra uno che non legge; non dicono la profondità e sono state tralasciate</translation>
     </message>
     <message>
+        <source>{} parameters change with the first step, those of the recording included; a step takes at most {}: set fewer at once</source>
+        <translation>{} parametri cambiano con il primo passo, compresi quelli della registrazione; un passo ne prende al più {}: impostarne meno in una volta</translation>
+    </message>
+    <message>
         <source>{} points at {:.3g} deg; expected at least {}: press there again, to different depths</source>
         <translation>{} punti a {:.3g} gradi; ne servono almeno {}: premere ancora lì, a profondità diverse</translation>
     </message>
@@ -9450,6 +9454,10 @@ Per cominciare: %1</translation>
         <translation>{}: è ancora in registrazione; prima chiuderla</translation>
     </message>
     <message>
+        <source>{}: is {} itself under another name, not a copy; nothing was removed</source>
+        <translation>{}: è {} stesso con un altro nome, non una copia; nulla è stato rimosso</translation>
+    </message>
+    <message>
         <source>{}: its calibrations do not tell on which touchpad they were made; they are used with {}</source>
         <translation>{}: le sue calibrazioni non dicono su quale touchpad sono state fatte; sono usate con: {}</translation>
     </message>
@@ -9678,6 +9686,10 @@ Per cominciare: %1</translation>
         <translation>{}: riga {} di {}</translation>
     </message>
     <message>
+        <source>{}: row {} says that its text begins at byte {}; expected {} or more, behind the text before it</source>
+        <translation>{}: la riga {} dice che il suo testo comincia al byte {}; atteso {} o più, dietro al testo che precede</translation>
+    </message>
+    <message>
         <source>{}: rows from {} on are packed otherwise</source>
         <translation>{}: le righe da {} in poi sono compresse in altro modo</translation>
     </message>
@@ -9708,6 +9720,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: saved values are felt now; go back to the current ones to change it</source>
         <translation>{}: ora si sentono i valori salvati; tornare a quelli attuali per cambiarlo</translation>
+    </message>
+    <message>
+        <source>{}: says to be {} bytes, while {} stand in the file of {} bytes</source>
+        <translation>{}: dice di essere di {} byte, mentre {} stanno nel file di {} byte</translation>
     </message>
     <message>
         <source>{}: scene.accuracy "{}": expected a share such as "1%", above 0 and up to 100%</source>
