@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "core/report/report.h"
 #include "core/station/profile/calibrated_values.h"
 #include "core/station/profile/calibration_file.h"
 #include "core/station/profile/calibration_report.h"
@@ -132,6 +133,7 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
   if (!options.report.empty() && std::filesystem::exists(options.report)) {
     throw Failure(say("{}: exists already; nothing was written", options.report));
   }
+  if (!options.report.empty()) valueOrFail(report::checkReportTarget(options.report, false));
   const auto former = recordsBefore(options);
   calibration::CalibrationRecord said;
   said.sensor = sensor;
@@ -163,9 +165,14 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
       station::Profile defaults = options.load();
       record.changes = valueOrFail(calibration::applyChanges(bindParameters(defaults), result.changes));
     }
-    valueOrFail(station::writeCalibrationReport(
+    const auto written = station::writeCalibrationReport(
         {.record = record, .accepted = result.verdict.accepted, .outliers = result.outliers},
-        station::newestOf(former, record.procedure, sensor).newest, options.profile, options.report, false));
+        station::newestOf(former, record.procedure, sensor).newest, options.profile, options.report, false);
+    if (!written) {
+      const Message& why = written.error().message;
+      throw Failure(json.contains("written_to") ? say("{}; the calibration is saved in {}", why, options.profile)
+                                                : why);
+    }
     json["report"] = options.report;
   }
   if (options.json) {

@@ -35,22 +35,33 @@ void drawFigure(cairo_t* cairo, const ReportContent& content) {
 
 namespace {
 
-/// @param gather gives the content, once the file is known to be writable
-template <class Gather>
-Result<void> writeGathered(Gather&& gather, const std::string& path, bool replace,
-                           const recording::Progress& progress) {
+struct ReportTarget {
+  bool pdf = false;  ///< else HTML
+  recording::ExportFile file;
+};
+
+Result<ReportTarget> openTarget(const std::string& path, bool replace) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
   if (extension != ".html" && extension != ".pdf") return fail("{}: a report ends in .html or .pdf", path);
   auto file = recording::ExportFile::create(path, replace);
   if (!file) return tl::unexpected(file.error());
+  return ReportTarget{extension == ".pdf", std::move(*file)};
+}
+
+/// @param gather gives the content, once the file is known to be writable
+template <class Gather>
+Result<void> writeGathered(Gather&& gather, const std::string& path, bool replace,
+                           const recording::Progress& progress) {
+  auto target = openTarget(path, replace);
+  if (!target) return tl::unexpected(target.error());
   const Result<ReportContent> content = gather();
   if (!content) return tl::unexpected(content.error());
   if (auto told = recording::tellProgress(progress, 1.0); !told) return told;
-  const auto text = extension == ".pdf" ? reportPdf(*content) : reportHtml(*content);
+  const auto text = target->pdf ? reportPdf(*content) : reportHtml(*content);
   if (!text) return tl::unexpected(text.error());
-  if (auto written = file->write(*text); !written) return written;
-  return file->commit();
+  if (auto written = target->file.write(*text); !written) return written;
+  return target->file.commit();
 }
 
 }  // namespace
@@ -58,6 +69,11 @@ Result<void> writeGathered(Gather&& gather, const std::string& path, bool replac
 Result<void> writeReport(const recording::Recording& recording, const std::string& path, bool replace,
                          const recording::Progress& progress) {
   return writeGathered([&] { return gatherReport(recording, progress); }, path, replace, progress);
+}
+
+Result<void> checkReportTarget(const std::string& path, bool replace) {
+  if (const auto target = openTarget(path, replace); !target) return tl::unexpected(target.error());
+  return {};
 }
 
 Result<void> writeReport(const ReportContent& content, const std::string& path, bool replace) {

@@ -22,6 +22,9 @@ namespace fyd::report {
 [[nodiscard]] Result<std::string> reportHtml(const ReportContent& content);
 [[nodiscard]] Result<std::string> reportPdf(const ReportContent& content);
 
+/// Whether `writeReport` can make the file, before anything is done that the report is to tell of. Leaves nothing there.
+[[nodiscard]] Result<void> checkReportTarget(const std::string& path, bool replace);
+
 inline constexpr double kReportWidth = 515.0;  ///< of an A4 page between its margins, points
 /// Height of the figure with its legend; 0 when there is no strip.
 [[nodiscard]] double figureHeight(const ReportContent& content);

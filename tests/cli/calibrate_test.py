@@ -248,6 +248,15 @@ class Calibrate(fyd.Case):
             self.assertTrue(report.read().startswith(b"%PDF"))
         self.assertIn("exists already", self.refused(1, "calibrate", "load-cell", file, "--report", pdf))
         self.assertIn(".html or .pdf", self.refused(1, "calibrate", "load-cell", file, "--report", self.path("r.doc")))
+        with open(profile, encoding="utf-8") as before:
+            kept = before.read()
+        other = self.csv("other.csv", "value,force_N", [(2 * value, force) for value, force in self.load_rows()])
+        records = sorted(os.listdir(os.path.dirname(profile)))
+        for name in ["r.doc", "nowhere/r.html"]:  # a report that cannot be written leaves the profile as it was
+            self.refused(1, "calibrate", "load-cell", other, "--profile", profile, "--report", self.path(name))
+            with open(profile, encoding="utf-8") as after:
+                self.assertEqual(after.read(), kept, name)
+        self.assertEqual(sorted(os.listdir(os.path.dirname(profile))), records)
         few = self.csv("few.csv", "value,force_N", self.load_rows()[:2])
         html = self.path("refused.html")
         self.refused_json("load-cell", few, "--profile", profile, "--report", html)
