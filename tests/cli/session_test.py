@@ -2,6 +2,8 @@
 import csv
 import os
 import resource
+import shutil
+import unicodedata
 import unittest
 
 import fyd
@@ -63,6 +65,19 @@ class Recorded(fyd.Case):
         self.assertEqual(info["tags"], ["soft", "dry"])
         self.assertIn("[control]", info["profile"])
         self.assertTrue(info["replayable"])
+
+    def test_what_a_file_says_cannot_steer_the_terminal(self):
+        steering = "\x1b[2J\x07\x7f\u009b31m\u0085\r"
+        file = self.path(f"a{steering}b.h5")
+        shutil.copyfile(self.file, file)
+        done = fyd.run("session", "info", file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("/a?[2J???31m??b.h5\n", done.stdout)
+        done = fyd.run("session", "info", file + "none")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("/a?[2J???31m??b.h5none: ", done.stderr)
+        for shown in (done.stdout, done.stderr):
+            self.assertFalse([c for c in shown if c != "\n" and unicodedata.category(c) == "Cc"], ascii(shown))
 
     def test_a_replay_is_identical_and_many_times_faster(self):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -36,7 +36,8 @@ T valueOrFail(Result<T> result) {
 
 /// Sets the one JSON document that this program prints on standard output; `printErrorJson` may still add to it.
 void printJson(const nlohmann::ordered_json& json);
-/// That document with --json, else a line for each value; those of an object within are called "object.value".
+/// That document with --json, else a line for each value, as a terminal may be shown it; those of an object within are
+/// called "object.value".
 void printValues(const nlohmann::ordered_json& object, bool as_json);
 /// Adds "error" with its kind, format, values and text: to the object that was printed; beside an array ("result");
 /// alone when nothing was printed.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/parts/command.h"
+#include "app/cli/parts/terminal_text.h"
 #include "core/base/whole_file.h"
 
 namespace fyd::cli {
@@ -45,7 +46,10 @@ void addLines(const nlohmann::ordered_json& object, const std::string& prefix, L
     if (value.is_object()) {
       addLines(value, prefix + key + ".", lines);
     } else {
-      lines.emplace_back(prefix + key, value.is_string() ? value.get<std::string>() : value.dump());
+      const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a file's texts may be invalid UTF-8
+      lines.emplace_back(
+          forTerminal(prefix + key),
+          forTerminal(value.is_string() ? value.get_ref<const std::string&>() : value.dump(-1, ' ', false, replace)));
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/cli/parts/command.h"
+#include "app/cli/parts/terminal_text.h"
 #include "core/base/end_signals.h"
 
 namespace fyd::cli {
@@ -19,7 +20,7 @@ int runProgram(CLI::App& app, int argc, char** argv) {
   };
   const auto complain = [&failed](const Message& message, int code) {
     const int out = failed(message, code);
-    std::cerr << "fyd: " << message.text() << '\n';
+    std::cerr << "fyd: " << forTerminal(message.text()) << '\n';
     return out;
   };
   try {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <set>
 
+#include "app/cli/parts/terminal_text.h"
 #include "core/catalogue/archive_move.h"
 
 namespace fyd::cli {
@@ -92,7 +93,7 @@ void runNotes(const SessionCatalogueOptions& options) {
   if (options.json) {
     printJson(toJson(now));
   } else {
-    std::cout << now.notes << '\n';
+    std::cout << forTerminal(now.notes) << '\n';
   }
 }
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/cli/parts/terminal_text.h"
 #include "app/cli/session/session_catalogue.h"
 #include "app/cli/session/session_cli.h"
 #include "core/catalogue/catalogue_rebuild.h"
@@ -77,7 +78,7 @@ void runSessionList(const SessionListOptions& options) {
   filter.descending = !options.ascending;
   const auto found = valueOrFail(catalogue.search(filter));
   const std::size_t all = valueOrFail(catalogue.count(filter));
-  for (const Message& problem : scan.unreadable) std::cerr << fmt::format("fyd: {}\n", problem);
+  for (const Message& problem : scan.unreadable) std::cerr << forTerminal(fmt::format("fyd: {}\n", problem));
   if (options.json) {
     nlohmann::ordered_json sessions = nlohmann::ordered_json::array();
     for (const catalogue::CatalogueEntry& entry : found) sessions.push_back(toJson(entry));

@@ -5,6 +5,7 @@
 #include <array>
 #include <iostream>
 
+#include "app/cli/parts/terminal_text.h"
 #include "app/cli/session/session_catalogue.h"
 
 namespace fyd::cli {
@@ -13,10 +14,11 @@ namespace {
 constexpr std::size_t kColumns = 9;
 using TableRow = std::array<std::string, kColumns>;
 
-/// Cut at a UTF-8 character boundary: bytes 10xxxxxx continue a character.
-std::string shortened(std::string text, std::size_t most) {
+/// In one line. Cut at a UTF-8 character boundary: bytes 10xxxxxx continue a character.
+std::string shortened(const std::string& whole, std::size_t most) {
+  std::string text = forTerminal(whole);
   std::ranges::replace_if(
-      text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+      text, [](char c) { return c == '\n' || c == '\t'; }, '?');
   std::size_t characters = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if ((static_cast<unsigned char>(text[i]) & 0xC0) == 0x80) continue;
@@ -65,8 +67,8 @@ nlohmann::ordered_json toJson(const catalogue::ScanReport& report) {
 
 void printScan(const catalogue::ScanReport& report) {
   std::cout << fmt::format("{} added, {} known already\n", report.added, report.known);
-  for (const std::string& path : report.copies) std::cout << fmt::format("copy, left out: {}\n", path);
-  for (const Message& problem : report.unreadable) std::cout << fmt::format("not read: {}\n", problem);
+  for (const std::string& path : report.copies) std::cout << forTerminal(fmt::format("copy, left out: {}\n", path));
+  for (const Message& problem : report.unreadable) std::cout << forTerminal(fmt::format("not read: {}\n", problem));
 }
 
 void printEntries(const std::vector<catalogue::CatalogueEntry>& entries) {
@@ -75,9 +77,9 @@ void printEntries(const std::vector<catalogue::CatalogueEntry>& entries) {
   for (const catalogue::CatalogueEntry& entry : entries) {
     const bool present = entry.file_state == catalogue::FileState::present;
     rows.push_back(
-        {entry.id.substr(0, 8), entry.started_utc.substr(0, 19), durationText(entry.duration_s),
-         shortened(entry.operator_name, 20), shortened(entry.subject, 20), shortened(entry.health, 12),
-         fmt::format("{:.1f}", static_cast<double>(entry.bytes) / 1e6),
+        {shortened(entry.id.substr(0, 8), 8), shortened(entry.started_utc.substr(0, 19), 19),
+         durationText(entry.duration_s), shortened(entry.operator_name, 20), shortened(entry.subject, 20),
+         shortened(entry.health, 12), fmt::format("{:.1f}", static_cast<double>(entry.bytes) / 1e6),
          shortened(fmt::format("{}", fmt::join(entry.tags, ",")), 30),
          (present ? "" : fmt::format("[{}] ", catalogue::toString(entry.file_state))) + shortened(entry.path, 400)});
   }
