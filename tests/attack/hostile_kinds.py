@@ -369,40 +369,91 @@ def png(width, height, body):
             + part(b"IEND", b""))
 
 
+def jpeg_segment(marker, data):
+    return b"\xff" + bytes([marker]) + struct.pack(">H", len(data) + 2) + data
+
+
+QUANTIZATION = jpeg_segment(0xdb, b"\x00" + b"\x01" * 64)
+
+
+def progressive_jpeg(side, scans):
+    """One component, and scans without end: each takes as long as the whole picture."""
+    return (QUANTIZATION + jpeg_segment(0xc2, struct.pack(">BHHB", 8, side, side, 1) + b"\x01\x11\x00")
+            + jpeg_segment(0xda, b"\x01\x01\x00\x00\x00\x00") * scans)
+
+
+def baseline_jpeg(side, scans):
+    """Three components, each scan of one of them, empty; its tables hold one code each."""
+    code = bytes([1] + [0] * 15) + b"\x00"
+    head = (QUANTIZATION + jpeg_segment(0xc0, struct.pack(">BHHB", 8, side, side, 3) + b"\x01\x11\x00\x02\x11\x00\x03\x11\x00")
+            + jpeg_segment(0xc4, b"\x00" + code) + jpeg_segment(0xc4, b"\x10" + code))
+    return b"\xff\xd8" + head + b"".join(jpeg_segment(0xda, bytes([1, 1 + i % 3, 0, 0, 63, 0])) for i in range(scans)) + b"\xff\xd9"
+
+
+def commit_more(file, *tables):
+    """One commit more, with these rows of (dataset, rows, its name in PLACE) and their checksums."""
+    commits = file["commits"]
+    last = commits[-1:]
+    last["crc"] = 0
+    for set_, rows, name in tables:
+        set_.resize((len(set_) + len(rows),))
+        set_[-len(rows):] = rows
+        last["rows"][0][PLACE[name]] = len(set_)
+        last["crc"][0][PLACE[name]] = hostile_bytes.crc32c(rows.tobytes())
+    last["number"] = len(commits)
+    commits.resize((len(commits) + 1,))
+    commits[-1:] = hostile_bytes.sealed(last)
+
+
 def picture_bomb(random, good, out, secret):
     """Pictures that are vast when unpacked; every checksum of the recording is right."""
-    what = random.randrange(4)
+    what = random.randrange(6)
     side = random.choice([30_000, 32_000, 1_000_000, (1 << 31) - 1])
     packer = zlib.compressobj(9)
     body = b"".join(packer.compress(bytes(1 << 20)) for _ in range(300)) + packer.flush()
     if what == 0:
         bomb = png(side, side, body)
     elif what == 1:  # an endless number of scans of a progressive picture
-        bomb = (b"\xff\xd8\xff\xc2" + struct.pack(">HBHHB", 11, 8, 65_500, 65_500, 1) + b"\x01\x11\x00"
-                + (b"\xff\xda" + struct.pack(">HBBBBBB", 8, 1, 1, 0, 0, 0, 0) + b"\x00") * 10_000)
+        bomb = b"\xff\xd8" + progressive_jpeg(65_500, 10_000)
+    elif what == 4:  # a small frame where the marker behind one without a length would lead, taken for a length
+        bomb = b"\xff\xd8" + b"\xff\x01" + progressive_jpeg(5_000, 6_000)
+        led_to = 4 + struct.unpack(">H", bomb[4:6])[0]
+        bomb = bomb.ljust(led_to, b"\x00")[:led_to] + jpeg_segment(0xc0, struct.pack(">BHHB", 8, 8, 8, 1) + b"\x01\x11\x00")
+    elif what == 5:
+        bomb = baseline_jpeg(5_700, 100_000)
     elif what == 2:
         bomb = b"P6 %d %d 255\n" % (30_000, 30_000)
     else:
         bomb = (b"II*\x00\x08\x00\x00\x00\x04\x00" + b"".join(struct.pack("<HHII", tag, 4, 1, side)
                                                              for tag in (256, 257, 278, 279)) + bytes(4))
     with opened(good, out) as file:
-        index, data, commits = file["camera/index"], file["camera/bytes"], file["commits"]
+        index, data = file["camera/index"], file["camera/bytes"]
         row = index[-1:]
         row["bytes_start"], row["whole_bytes"], row["region_bytes"] = len(data), len(bomb), len(bomb)
         row["region_width_px"] = row["region_x_px"] = row["region_height_px"] = random.choice([side, -side, 10])
-        more = numpy.frombuffer(bomb + bomb, "u1")
-        last = commits[-1:]
-        for set_, rows, place in ((index, row, PLACE["pictures"]), (data, more, PLACE["picture_bytes"])):
-            set_.resize((len(set_) + len(rows),))
-            set_[-len(rows):] = rows
-            last["rows"][0][place] = len(set_)
-        last["crc"] = 0
-        last["crc"][0][PLACE["pictures"]] = hostile_bytes.crc32c(row.tobytes())
-        last["crc"][0][PLACE["picture_bytes"]] = hostile_bytes.crc32c(more.tobytes())
-        last["number"] = len(commits)
-        commits.resize((len(commits) + 1,))
-        commits[-1:] = hostile_bytes.sealed(last)
+        commit_more(file, (index, row, "pictures"), (data, numpy.frombuffer(bomb + bomb, "u1"), "picture_bytes"))
     return True  # as a recording it is sound
+
+
+def overlapping_notes(random, good, out, secret):
+    """Notes that all have one long text: gigabytes of words in a file of half a megabyte."""
+    with opened(good, out) as file:
+        index, text = file["notes/index"], file["notes/text"]
+        notes = numpy.zeros(15_000, index.dtype)
+        notes["text_start"], notes["text_bytes"] = len(text), 200_000
+        commit_more(file, (index, notes, "notes"), (text, numpy.full(200_000, ord("n"), "u1"), "note_text"))
+    return True  # every row and checksum is right
+
+
+def unwritten_value(random, good, out, secret):
+    """A value that says to be vast, of which the file holds nothing."""
+    with opened(good, out) as file:
+        if random.randrange(2) == 0:
+            file.create_dataset("header/scene", shape=(1 << 31,), dtype="u1")
+        else:
+            del file["header/step_state"]
+            file.create_dataset("header/step_state", shape=(64 << 20,), dtype="u1")
+    return False
 
 
 def lying_journal(random, good, out, secret):
@@ -493,5 +544,6 @@ def not_a_file(random, good, out, secret):
 ALL = [huge_commits, huge_commits_with_a_last_row, huge_commits_in_a_file_of_holes, huge_table, lying_commit, lying_damaged_commit, external_storage,
        external_bytes_of_a_secret, virtual_layout, foreign_chunks, foreign_filters, unknown_filter, contiguous_table, soft_link,
        external_link, wrong_kind, wrong_members, wrong_text, deep_nesting, cyclic_links, cyclic_table, absurd_attributes,
-       lying_index, lying_object_header, deflate_bomb, picture_bomb, lying_journal, foreign_start, cyclic_old_index,
+       lying_index, lying_object_header, deflate_bomb, picture_bomb, overlapping_notes, unwritten_value,
+       lying_journal, foreign_start, cyclic_old_index,
        hostile_header, not_a_file]
