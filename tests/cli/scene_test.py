@@ -138,6 +138,15 @@ class Scene(fyd.Case):
         self.assertGreater(self.json("scene", "explain", smooth, "--json")["memory_bytes"], json["memory_bytes"],
                            "a facet needs no fitted surface")
 
+    def test_explain_measures_every_body_at_work(self):
+        self.write("b.obj", bumpy_obj(24))
+        body = '[[body]]\nmesh = "b.obj"\nsoft = true\nspread_mm = 4\nposition_mm = [{}, 0, 0]\n'
+        scene = self.write("s.toml", "".join(body.format(x) for x in (0, 200, 400)))
+        first, *others = (each["step_median_ns"] for each in self.json("scene", "explain", scene, "--json")["bodies"])
+        print("step of three equal soft bodies, ns:", first, *others)
+        for other in others:  # a step that does nothing is a hundred times cheaper
+            self.assertGreater(other, 0.1 * first)
+
     def test_check_reports_what_it_mended(self):
         text = CUBE + "v 10 10 10\nf 5 6 9\nf 1 1 2\n"
         json = self.json("scene", "check", self.write("c.obj", text), "--unit", "cm", "--json")

@@ -18,13 +18,13 @@ struct ExplainOptions {
 
 /// The cost of a step near each body, measured on this machine: the haptic point visits every n-th triangle, half a
 /// mean edge deep.
-Quantiles costOf(scene::Scene& scene, std::size_t body) {
+/// @param time_s of the scene, which goes on from body to body: a step that is no later than the last one does nothing
+Quantiles costOf(scene::Scene& scene, std::size_t body, double& time_s) {
   constexpr std::size_t kTouches = 4000;
   const scene::Mesh& mesh = scene.mesh(body);
   const std::size_t every = std::max<std::size_t>(1, mesh.triangles().size() / kTouches);
   const double deep_mm = 0.5 * mesh.report().mean_edge_mm;
   std::vector<double> ns;
-  double time_s = 0.0;
   for (std::size_t t = 0; t < mesh.triangles().size(); t += every) {
     const auto v = mesh.vertices();
     const scene::Triangle& corners = mesh.triangles()[t];
@@ -69,9 +69,10 @@ void explain(const ExplainOptions& options) {
       {"built_in_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
       {"memory_bytes", scene.bytes()},
       {"bodies", nlohmann::ordered_json::array()}};
+  double time_s = 0.0;
   for (std::size_t i = 0; i < scene.bodies(); ++i) {
     const scene::BodyDescription& body = file.description.bodies[i];
-    const Quantiles cost = costOf(scene, i);
+    const Quantiles cost = costOf(scene, i, time_s);
     nlohmann::ordered_json to = {{"name", body.name},
                                  {"triangles", scene.mesh(i).triangles().size()},
                                  {"vertices", scene.mesh(i).vertices().size()}};
