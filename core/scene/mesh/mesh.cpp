@@ -168,17 +168,27 @@ Result<Mesh> Mesh::build(TriangleSoup soup) {
   report.degenerate_triangles = std::erase_if(soup.triangles, [&](const Triangle& t) { return degenerate(soup, t); });
   report.duplicate_triangles = dropDuplicates(soup.triangles);
   if (soup.triangles.empty()) return fail("the mesh has no triangle that has an area");
-  sortInSpace(soup);
-  mesh.vertices_ = std::move(soup.vertices);
-  mesh.triangles_ = std::move(soup.triangles);
-  mesh.findNeighbours();
-  mesh.orientConsistently();
+  const auto sort = [&mesh, &soup] {
+    sortInSpace(soup);
+    mesh.vertices_ = std::move(soup.vertices);
+    mesh.triangles_ = std::move(soup.triangles);
+    mesh.findNeighbours();
+  };
+  sort();
+  if (mesh.orientConsistently(); report.flipped_triangles > 0) {
+    // The sort numbers vertices in the order in which triangles name them, so it belongs after the last turn: a mesh
+    // built again from its own vertices and triangles, as replay does, must be the same to the bit.
+    soup = {.vertices = std::move(mesh.vertices_), .triangles = std::move(mesh.triangles_)};
+    sort();
+    mesh.orientConsistently();
+  }
   mesh.measure();
   return mesh;
 }
 
 void Mesh::findNeighbours() {
   neighbours_.assign(triangles_.size(), {kNoTriangle, kNoTriangle, kNoTriangle});
+  report_.non_manifold_edges = report_.rim_edges = 0;
   forEachEdge(halfEdges(triangles_), [this](std::span<const HalfEdge> edge) {
     if (edge.size() > 2) ++report_.non_manifold_edges;
     if (edge.size() == 1) ++report_.rim_edges;
@@ -193,25 +203,39 @@ void Mesh::orientConsistently() {
     const Triangle& v = triangles_[t];
     return (v[0] == from && v[1] == to) || (v[1] == from && v[2] == to) || (v[2] == from && v[0] == to);
   };
+  report_.pieces = report_.inside_out = report_.holes = 0;
+  report_.volume_mm3 = 0.0;
   std::vector<std::int8_t> turn(triangles_.size(), 0);  // 1: as the first of its piece, −1: against it
   std::vector<std::uint32_t> piece;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> against_it;  // neighbours of different orientation
   std::size_t rim_edges = 0;
   for (std::uint32_t first = 0; first < triangles_.size(); ++first) {
     if (turn[first] != 0) continue;
-    piece.assign(1, first);
-    turn[first] = 1;
+    piece.clear();
+    against_it.assign(1, {first, first});
     std::size_t against = 0, rims = 0;
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      const std::uint32_t t = piece[i];
-      for (std::size_t side = 0; side < 3; ++side) {
-        const std::uint32_t other = neighbours_[t][side];
-        if (other == kNoTriangle) ++rims;
-        if (other == kNoTriangle || turn[other] != 0) continue;
-        // Two triangles of the same orientation go along their common edge in opposite directions.
-        const bool alike = !goesFrom(other, triangles_[t][side], triangles_[t][(side + 1) % 3]);
-        turn[other] = alike ? turn[t] : static_cast<std::int8_t>(-turn[t]);
-        against += turn[other] < 0 ? 1 : 0;
-        piece.push_back(other);
+    // Edges between triangles of the same orientation go first, so that in a piece that has no consistent orientation
+    // (a Möbius strip) as few as possible are turned, and none the next time.
+    for (std::size_t i = 0, k = 0; k < against_it.size(); ++k) {
+      const auto [from, to] = against_it[k];
+      if (turn[to] != 0) continue;
+      turn[to] = static_cast<std::int8_t>(to == first ? 1 : -turn[from]);
+      piece.push_back(to);
+      for (; i < piece.size(); ++i) {
+        const std::uint32_t t = piece[i];
+        against += turn[t] < 0 ? 1 : 0;
+        for (std::size_t side = 0; side < 3; ++side) {
+          const std::uint32_t other = neighbours_[t][side];
+          if (other == kNoTriangle) ++rims;
+          if (other == kNoTriangle || turn[other] != 0) continue;
+          // Two triangles of the same orientation go along their common edge in opposite directions.
+          if (goesFrom(other, triangles_[t][side], triangles_[t][(side + 1) % 3])) {
+            against_it.emplace_back(t, other);
+          } else {
+            turn[other] = turn[t];
+            piece.push_back(other);
+          }
+        }
       }
     }
     const std::int8_t wrong = 2 * against > piece.size() ? 1 : -1;
