@@ -1,7 +1,9 @@
 // A scene as it is shown: its description and placements, and its newest state, passed from the thread that steps it to
-// the one that draws it.
+// the one that draws it. The stepping thread passes on only the points of soft bodies that are awake, and allocates
+// nothing; the drawing thread adds them to the shapes at rest.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -33,16 +35,28 @@ class SceneStage {
 
   /// For the thread that steps: publishes the first moment, and each that is kPublishPeriod_s or more after the last published.
   void show(const FeltScene& scene);
-  void show(const SceneMoment& moment) { newest_.write(moment); }
+  /// Without shapes: all soft bodies are at rest.
+  void show(const SceneMoment& moment);
   static constexpr double kPublishPeriod_s = 0.016;
   /// For one thread that draws; valid until its next call.
-  [[nodiscard]] const SceneMoment& newest() { return newest_.read(); }
+  [[nodiscard]] const SceneMoment& newest();
 
  private:
+  struct Displaced {
+    std::uint32_t body, vertex;
+    Vec3 by_mm;
+  };
+  struct Published {
+    SceneMoment moment;  // without shapes
+    std::vector<Displaced> points;
+  };
+
   std::shared_ptr<const LoadedScene> scene_;
   std::vector<Placement> placements_;
-  SceneMoment moment_;
-  LatestValue<SceneMoment> newest_;
+  Published next_;  // of the thread that steps
+  LatestValue<Published> published_;
+  SceneMoment shown_;  // this and the following: of the thread that draws
+  std::vector<Displaced> drawn_;
 };
 
 }  // namespace fyd::scene

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/bench/parts/allocation_count.h"
 #include "core/scene/scene_stage.h"
 #include "tests/unit/scene/loaded.h"
 
@@ -79,9 +80,10 @@ TEST(SceneStage, ShownAtMostAboutSixtyTimesASecond) {
   EXPECT_NEAR(changes, 62, 1);
 }
 
+const std::string kSoft = kBody + "soft = true\nstiffness_N_per_mm = 0.5\nspread_mm = 5\nfinger_mm = 5\n";
+
 TEST(SceneStage, APressedSoftBodysShapeIsShown) {
-  FeltScene scene = felt(loaded(kBody + "soft = true\nstiffness_N_per_mm = 0.5\nspread_mm = 5\nfinger_mm = 5\n",
-                                {shapes::plane(10.0, 1)}));
+  FeltScene scene = felt(loaded(kSoft, {shapes::plane(10.0, 1)}));
   SceneStage stage(scene.loaded());
   scene.step({0.0, 0.0, 5.0}, 0.0);
   stage.show(scene);
@@ -95,6 +97,42 @@ TEST(SceneStage, APressedSoftBodysShapeIsShown) {
   double lowest_mm = 0.0;
   for (const Vec3& each : shape_mm) lowest_mm = std::min(lowest_mm, each.z);
   EXPECT_LT(lowest_mm, -0.05);
+}
+
+TEST(SceneStage, TheThreadThatStepsAllocatesNothingAndEveryVertexIsShownWhereItIs) {
+  FeltScene scene = felt(loaded(kSoft + kBody + "contact = \"facet\"\nposition_mm = [0, 0, -50]\n" + kSoft,
+                                {shapes::plane(40.0, 60), shapes::plane(10.0, 1), shapes::plane(30.0, 20)}));
+  SceneStage stage(scene.loaded());
+  std::uint64_t allocated = 0;
+  std::size_t most_awake = 0, compared = 0;
+  for (int ms = 0; ms <= 6000; ++ms) {
+    // Presses and slides, with pauses in which all of it comes to rest; now and then nobody looks for a while.
+    const bool pressed = ms % 3000 < 1000;
+    const Vec3 at_mm = {-15.0 + 0.02 * (ms % 3000), 3.0, pressed ? -2.0 : 5.0};
+    const bench::AllocationCount counted;
+    scene.step(at_mm, 1e-3 * ms);
+    stage.show(scene);
+    allocated += counted.count();
+    most_awake = std::max(most_awake, scene.scene().soft(0)->awake().size());
+    if (ms % 700 >= 350) continue;
+    const SceneMoment& now = stage.newest();
+    if (now.time_s != scene.scene().time_s()) continue;  // of an earlier step
+    ASSERT_TRUE(now.shapes_mm[1].empty());
+    for (const std::size_t body : {0U, 2U}) {
+      const auto rest_mm = scene.scene().mesh(body).vertices();
+      const std::vector<Vec3>& shape_mm = now.shapes_mm[body];
+      if (shape_mm.empty()) continue;
+      ASSERT_EQ(shape_mm.size(), rest_mm.size());
+      for (std::uint32_t v = 0; v < rest_mm.size(); ++v) {
+        ASSERT_EQ(shape_mm[v], rest_mm[v] + scene.scene().soft(body)->displacement_mm(v)) << ms << " ms, " << v;
+      }
+      ++compared;
+    }
+  }
+  EXPECT_EQ(allocated, 0U);
+  EXPECT_GT(most_awake, 50U);
+  EXPECT_LT(most_awake, scene.scene().mesh(0).vertices().size());
+  EXPECT_GT(compared, 100U);
 }
 
 }  // namespace
