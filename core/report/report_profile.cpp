@@ -51,6 +51,7 @@ ReportTable profileTable(const std::string& profile_toml) {
     const std::size_t point = all[i].id.find('.');
     const toml::node_view<const toml::node> node =
         std::as_const(parsed)[all[i].id.substr(0, point)][all[i].id.substr(point + 1)];
+    if (!node && all[i].info.before_it_was) all[i].set(*all[i].info.before_it_was);  // of an older program
     std::string value = formatParameter(all[i]);
     if (node) {
       const std::string text = textOf(*node.node());

@@ -101,6 +101,27 @@ TEST(Report, GainsComeFromTheProfileWithTheirDefaults) {
   EXPECT_FALSE(profileTable("[control]\nkp = \"<b>\"\nki = [1, 2]\nkd = 1979-05-27\n").rows.empty());
 }
 
+// A key that a recording lacks had the value from before there was the key, as in its replay; not today's default.
+TEST(Report, AnOlderRecordingsGainsAreThoseItHadNotTodaysDefaults) {
+  pipeline::Parameters parameters;
+  std::size_t checked = 0;
+  const ReportTable table = profileTable("[control]\nkp = 1.5\n");
+  for (const Parameter& each : bindParameters(parameters)) {
+    if (!each.info.before_it_was || each.value() == *each.info.before_it_was) continue;
+    const std::string today = formatParameter(each);
+    each.set(*each.info.before_it_was);
+    const auto row = std::ranges::find(table.rows, std::string(each.id), [](const auto& cells) { return cells[0]; });
+    ASSERT_NE(row, table.rows.end()) << each.id;
+    EXPECT_THAT(*row, testing::ElementsAre(std::string(each.id), formatParameter(each), testing::_, today));
+    ++checked;
+  }
+  EXPECT_GT(checked, 2U);
+  const auto area =
+      std::ranges::find(table.rows, "sensing.finger_minimum_area_mm2", [](const auto& cells) { return cells[0]; });
+  ASSERT_NE(area, table.rows.end());
+  EXPECT_EQ((*area)[1], "54.6875");  // 150 of 160 × 120 pixels of 100 × 70 mm, in the thesis' days
+}
+
 TEST(Report, HtmlIsEscapedAndFetchesNothing) {
   recording::FakeRecording recording = session();
   recording.notes_.push_back({instantAt(101.0), recording::NoteKind::note, "<img src=x onerror=alert(1)> \"quoted\""});
