@@ -49,6 +49,27 @@ TEST(Streaming, SumOfComponentsCancelsWhereTheOthersDoNot) {  // so that the two
   EXPECT_LT(compareSpectra(in.x, in.y, in.z, stream(soc, in), 0, kRate_Hz).spectral_match, 0.7);
 }
 
+TEST(Streaming, ThePrincipalAxisFollowsAVibrationThatLeavesOneAxisForAnother) {
+  for (const int from : {0, 1, 2}) {
+    for (const int to : {0, 1, 2}) {
+      for (const int pause : {0, 3000, 60'000}) {
+        PrincipalAxis method(kRate_Hz);
+        const auto on = [](int axis, double v) {
+          return Vec3{axis == 0 ? v : 0.0, axis == 1 ? v : 0.0, axis == 2 ? v : 0.0};
+        };
+        for (int n = 0; n < 3000; ++n) (void)method.step(on(from, std::sin(0.7 * n)));
+        for (int n = 0; n < pause; ++n) (void)method.step({});
+        double power = 0.0;
+        for (int n = 0; n < 4000; ++n) {
+          const double out = method.step(on(to, std::sin(0.7 * n)));
+          if (n >= 2000) power += out * out;
+        }
+        EXPECT_NEAR(power / 2000.0, 0.5, 0.005) << from << " to " << to << ", pause of " << pause;
+      }
+    }
+  }
+}
+
 TEST(Streaming, AnImpulseLeavesEachMethodExactlyAfterItsStatedDelay) {
   for (const int axis : {0, 1, 2}) {
     for (std::size_t m = 0; m < kMethodNames.size(); ++m) {
