@@ -49,7 +49,8 @@ void measure(Table& table, int n) {
   const TriangleTree tree(mesh);
   const SoftMaterial material{
       .mass_kg = 0.05, .rigidity_N_per_mm = 0.5, .viscosity_Ns_per_mm = 0.01, .spread_mm = 3.0, .finger_mm = 4.0};
-  const Run truth = press(tree, material, {.border = 1e-6, .longest_step_s = 2e-5, .tolerance = 1e-7});
+  const Run truth =
+      press(tree, material, {.border = 1e-6, .longest_step_s = 2e-5, .most_parts = 50, .tolerance = 1e-7});
   double largest_N = 0.0;
   for (const Vec3& force : truth.force_N) largest_N = std::max(largest_N, length(force));
   const auto add = [&](const char* name, const SoftResolution& resolution) {

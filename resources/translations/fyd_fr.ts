@@ -7002,6 +7002,10 @@ Pour commencer : %1</translation>
         <translation>plus de 5 % des cycles haptiques d'une seconde ont été manqués</translation>
     </message>
     <message>
+        <source>most_parts of a soft body is {}; expected 1 or more</source>
+        <translation>most_parts d'un corps mou est {} ; attendu 1 ou plus</translation>
+    </message>
+    <message>
         <source>most_points of a soft body is {}; expected 3 or more</source>
         <translation>most_points d'un corps mou est {} ; attendu 3 ou plus</translation>
     </message>

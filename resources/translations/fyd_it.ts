@@ -7002,6 +7002,10 @@ Per cominciare: %1</translation>
         <translation>più del 5 % dei cicli aptici di un secondo è mancato</translation>
     </message>
     <message>
+        <source>most_parts of a soft body is {}; expected 1 or more</source>
+        <translation>most_parts di un corpo morbido è {}; atteso 1 o più</translation>
+    </message>
+    <message>
         <source>most_points of a soft body is {}; expected 3 or more</source>
         <translation>most_points di un corpo morbido è {}; atteso 3 o più</translation>
     </message>

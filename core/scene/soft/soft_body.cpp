@@ -29,6 +29,9 @@ Result<SoftBody> SoftBody::build(const TriangleTree& tree, const SoftMaterial& m
   if (!positive(resolution.longest_step_s)) {
     return fail("longest_step_s of a soft body is {}; expected more than 0", resolution.longest_step_s);
   }
+  if (resolution.most_parts < 1) {
+    return fail("most_parts of a soft body is {}; expected 1 or more", resolution.most_parts);
+  }
   if (!positive(resolution.tolerance) || resolution.tolerance >= 1.0) {
     return fail("tolerance of a soft body is {}; expected between 0 and 1", resolution.tolerance);
   }
@@ -135,9 +138,10 @@ const SoftContact& SoftBody::step(double step_s, const Vec3& hand_mm) {
     hand_known_ = false;
     return contact_;
   }
-  constexpr double kMostParts = 1000.0;
-  const auto parts =
-      static_cast<int>(std::clamp(std::ceil(step_s / resolution_.longest_step_s - 1e-9), 1.0, kMostParts));
+  // Half a part more or less is left to the parts' length: the loop's jitter costs nothing. The bound keeps a late step
+  // from making the next one later still; the equations are stable at any step.
+  const double wanted = std::ceil(step_s / resolution_.longest_step_s - 0.5);
+  const int parts = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(resolution_.most_parts)));
   const Vec3 from = hand_known_ ? last_hand_mm_ : hand_mm;
   for (int i = 1; i <= parts; ++i) {
     const double share = i / static_cast<double>(parts);

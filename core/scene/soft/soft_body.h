@@ -32,7 +32,8 @@ namespace fyd::scene {
 struct SoftResolution {
   std::size_t most_points = SIZE_MAX;  ///< awake at a time; those nearest to the press first
   double border = 0.01;                ///< a neighbour is woken above this share of the largest displacement
-  double longest_step_s = 0.001;       ///< a longer step is divided into equal ones no longer than this
+  double longest_step_s = 0.001;       ///< a longer step is divided into equal ones of about this
+  int most_parts = 4;                  ///< of a step; a longer one still has longer parts
   double tolerance = 1e-4;             ///< of the linear equations' residual, relative
   double reach_mm = 1e3;               ///< a point deeper below the deformed surface touches nothing
 };
