@@ -61,7 +61,9 @@ void FingerPrediction::step(const std::array<double, kFeltMotors>& duty_percent,
   double acceleration = 0.0;
   for (std::size_t i = 0; i < kFeltMotors; ++i) {
     const double friction = plant_.breakaway_percent[i];
-    const double drive = duty_percent[i] - plant_.position_gain_percent_per_deg * angle_deg_[i];
+    // Within the board's range: a stiff position loop at one integration step per sample would diverge.
+    const double drive =
+        std::clamp(duty_percent[i] - plant_.position_gain_percent_per_deg * angle_deg_[i], -100.0, 100.0);
     const double before = speed_deg_s_[i];
     // Implicit Euler for the speed-dependent term: stable for any time constant.
     const double driven = (before + dt_per_tau * plant_.free_speed_deg_s * drive / 100.0) / (1.0 + dt_per_tau);

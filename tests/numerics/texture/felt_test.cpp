@@ -257,6 +257,23 @@ TEST(FingerPrediction, SaysWhatIsOutOfReachDeadAndClipped) {
   EXPECT_TRUE(run(95.0, 400.0, false).out_of_reach);
 }
 
+// The board gives no more than full duty, so the roller is never faster than freely at it: 5000 °/s.
+TEST(FingerPrediction, AStiffPositionLoopStaysWithinTheBoardsDuty) {
+  FeltPlant plant;
+  plant.position_gain_percent_per_deg = 200.0;
+  plant.free_speed_deg_s = 5000.0;
+  plant.time_constant_ms = 1.0;
+  plant.breakaway_percent.fill(0.1);
+  FingerPrediction finger(plant, 1000.0);
+  const double fastest_g = 2.0 * 5000.0 / 1e-3 / plant.rollerAccelerationPerG_deg_s2();
+  for (int n = 0; n < 20'000; ++n) {
+    const double duty = 60.0 * std::sin(0.4 * n);
+    finger.step({duty, -duty}, 0.3, false);
+    finger.step({duty, duty}, 0.3, false);
+    ASSERT_LE(std::abs(finger.figures().acceleration_g), 3.0 * fastest_g) << n;  // false for NaN; a resonance's peak
+  }
+}
+
 TEST(FeltPlant, TextReadsBackEqualAndEveryBadValueIsNamed) {
   FeltPlant plant;
   plant.identified = true;
