@@ -28,6 +28,7 @@ constexpr double kInitialWeight_s = 0.05;      // time of touch that the initial
 // limit is wider at first: it is reached after kInitialDecayExponent · kOutlierOnset_s of touch.
 constexpr double kOutlierRatio = 9.0;
 constexpr double kOutlierOnset_s = 0.3;
+constexpr double kLeastRms = 1e-6;  // g, % and °/s: a mean of nothing is neither divided by nor multiplied
 
 // Surface that is assumed before anything is estimated.
 constexpr double kInitialLevel_g = 0.1;
@@ -101,7 +102,7 @@ void FeltMapping::updateGate(double signal_g) {
   gate_mean_square_ = flushedToZero(gate_mean_square_ +
                                     std::min(1.0, T / kGateAveraging_s) * (signal_g * signal_g - gate_mean_square_));
   if (!(settings_.gate_g > 0.0)) {
-    gate_gain_ = 1.0;
+    gate_gain_ = gate_mean_square_ > 0.0 ? 1.0 : 0.0;  // silence teaches nothing about a surface
     return;
   }
   const double steady = std::clamp(gate_mean_square_ / (settings_.gate_g * settings_.gate_g) - 1.0, 0.0, 1.0);
@@ -123,7 +124,7 @@ void FeltMapping::learn(const MeanSquares& squares) {
     outlier_limit = kOutlierRatio * std::max(1.0, kInitialDecayExponent * kOutlierOnset_s * rate_Hz_ / samples_);
   }
   const auto update = [weight, outlier_limit](double& mean, double square) {
-    mean += weight * (std::min(square, outlier_limit * mean) - mean);
+    mean += weight * (std::min(square, outlier_limit * std::max(mean, kLeastRms * kLeastRms)) - mean);
   };
   update(learned_.signal, target.signal);
   update(learned_.duty, target.duty);
@@ -151,10 +152,9 @@ double FeltMapping::linearRms_percent(double level_g) const {
 double FeltMapping::leastHeat_percent2() const { return kLeastHeatShare * math::square(settings_.rms_limit_percent); }
 
 double FeltMapping::gain() const {
-  constexpr double kLeast = 1e-6;  // g and %: no division by 0 for a silent surface
-  const double learned_g = std::max(std::sqrt(learned_.signal), kLeast);
+  const double learned_g = std::max(std::sqrt(learned_.signal), kLeastRms);
   const double level_g = settings_.surface_level_g > 0.0 ? settings_.surface_level_g : learned_g;
-  const double duty_percent = std::max(std::sqrt(learned_.duty), kLeast) * level_g / learned_g;
+  const double duty_percent = std::max(std::sqrt(learned_.duty), kLeastRms) * level_g / learned_g;
   return settings_.gain * linearRms_percent(level_g) / duty_percent;
 }
 
@@ -184,7 +184,7 @@ FeltDuty FeltMapping::step(double signal_g, double position_share_percent) {
   const double position_percent = positionDuty_percent(position_share_percent);
   const double largest_duty = kHeadroom * std::max(0.0, std::min(settings_.maximum_percent, 100.0 - position_percent));
   const double relative_speed = (speed_deg_s_ + kSpeedLead_samples * T * acceleration) /
-                                (kSoftSignWidth * std::max(std::sqrt(learned_.speed), 1e-6));
+                                (kSoftSignWidth * std::max(std::sqrt(learned_.speed), kLeastRms));
   const double soft_sign = relative_speed / std::sqrt(1.0 + relative_speed * relative_speed);
   const double heat_gain =
       std::min(1.0, kHeadroom * settings_.rms_limit_percent / std::sqrt(std::max(heat_percent2_, 1e-12)));

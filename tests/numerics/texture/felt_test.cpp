@@ -82,6 +82,30 @@ TEST(Felt, LevelGrowsWithTheSurface) {
   EXPECT_GT(20.0 * std::log10(before / faintest), 9.0);
 }
 
+TEST(Felt, AMaximumOfZeroAtTheStartIsForgottenWhenItIsRaised) {
+  for (const bool touched_before : {false, true}) {
+    FeltSettings none;
+    none.maximum_percent = 0.0;
+    FeltMapping raised(none, 1000.0), usual({}, 1000.0);
+    const std::vector<double> before = touched_before ? noise(0.3) : std::vector<double>(4000, 0.0);
+    for (const double v : firstDuty(raised, before)) ASSERT_EQ(v, 0.0);
+    raised.configure({});
+    const double expected = rms(firstDuty(usual, noise(0.3)), 2000);
+    EXPECT_NEAR(rms(firstDuty(raised, noise(0.3)), 2000), expected, 0.05 * expected) << touched_before;
+  }
+}
+
+TEST(Felt, WithoutAGateASilenceIsNotLearned) {
+  FeltSettings settings;
+  settings.gate_g = 0.0;
+  FeltMapping mapping(settings, 1000.0), fresh(settings, 1000.0);
+  (void)firstDuty(mapping, noise(0.3));
+  for (const double v : firstDuty(mapping, std::vector<double>(300'000, 0.0))) ASSERT_TRUE(std::isfinite(v));
+  const double expected = rms(firstDuty(fresh, noise(0.3)), 500);
+  EXPECT_NEAR(rms(firstDuty(mapping, noise(0.3)), 500), expected, 0.05 * expected);
+  EXPECT_GT(expected, 5.0);
+}
+
 TEST(Felt, KVibIsAGain) {
   double once = 0.0;
   for (const double gain : {1.0, 0.5}) {
