@@ -5,6 +5,7 @@
 #include "core/base/portable_math.h"
 #include "core/signal/resonator.h"
 #include "core/texture/surface_model.h"
+#include "core/texture/surface_ranges.h"
 
 namespace fyd::texture {
 namespace {
@@ -91,7 +92,11 @@ Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const doubl
   const double lowest_Hz = std::min(20.0, rate_Hz / 10.0);
   std::vector<double> centres_Hz;
   for (double f = lowest_Hz; f < 0.4 * rate_Hz && centres_Hz.size() < kMaximumBands; f *= math::cbrt(2.0)) {
-    centres_Hz.push_back(f);
+    if (moving ? kWavelengths_mm.has(conditions.speed_mm_s / f) : kFrequencies_Hz.has(f)) centres_Hz.push_back(f);
+  }
+  if (centres_Hz.empty()) {
+    return fail("recording of {} Hz at {} mm/s: no band of it can stand in a surface model", rate_Hz,
+                conditions.speed_mm_s);
   }
   const auto from = static_cast<std::size_t>(std::ceil(lowest_Hz / target.resolution_Hz));
   double total = 0.0;
@@ -108,6 +113,9 @@ Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const doubl
   const double strongest = *std::max_element(powers.begin(), powers.end());
   for (std::size_t b = 0; b < powers.size(); ++b) {
     if (powers[b] < kWeakest * strongest) continue;
+    if (const double rms_g = std::sqrt(powers[b]); !kBandRms_g.has(rms_g)) {
+      return fail("recording: {} g around {} Hz: expected at most {} g", rms_g, centres_Hz[b], kBandRms_g.maximum);
+    }
     fit.model.bands.push_back({.wavelength_mm = moving ? conditions.speed_mm_s / centres_Hz[b] : 0.0,
                                .frequency_Hz = moving ? 0.0 : centres_Hz[b],
                                .quality = kThirdOctaveQuality,

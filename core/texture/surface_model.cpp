@@ -6,23 +6,24 @@
 
 #include <toml++/toml.h>
 
+#include "core/texture/surface_ranges.h"
+
 namespace fyd::texture {
 namespace {
 
 struct Key {
   std::string_view name;
-  double minimum;
-  double maximum;
+  SurfaceRange range;
   bool required;
 };
-constexpr std::array<Key, 4> kModelKeys = {{{"reference_speed_mm_s", 1, 1000, true},
-                                            {"reference_force_N", 0.01, 20, true},
-                                            {"speed_exponent", 0, 3, true},
-                                            {"force_exponent", 0, 3, true}}};
-constexpr std::array<Key, 4> kBandKeys = {{{"wavelength_mm", 0.01, 100, false},
-                                           {"frequency_Hz", 1, 5000, false},
-                                           {"quality", 0.1, 100, true},
-                                           {"rms_g", 0, 20, true}}};
+constexpr std::array<Key, 4> kModelKeys = {{{"reference_speed_mm_s", {1, 1000}, true},
+                                            {"reference_force_N", {0.01, 20}, true},
+                                            {"speed_exponent", {0, 3}, true},
+                                            {"force_exponent", {0, 3}, true}}};
+constexpr std::array<Key, 4> kBandKeys = {{{"wavelength_mm", kWavelengths_mm, false},
+                                           {"frequency_Hz", kFrequencies_Hz, false},
+                                           {"quality", {0.1, 100}, true},
+                                           {"rms_g", kBandRms_g, true}}};
 
 // Strict reading of one table: every key known, of the right type and in range.
 class TableReader {
@@ -40,9 +41,10 @@ class TableReader {
         continue;
       }
       const auto value = node->is_boolean() ? std::nullopt : node->value<double>();
-      if (!value || !(*value >= keys[i].minimum) || !(*value <= keys[i].maximum)) {
+      const SurfaceRange& range = keys[i].range;
+      if (!value || !range.has(*value)) {
         return fail("{}: {}{}: expected a number from {} to {}", place(*node), keys[i].name,
-                    value ? fmt::format(" = {}", *value) : "", keys[i].minimum, keys[i].maximum);
+                    value ? fmt::format(" = {}", *value) : "", range.minimum, range.maximum);
       }
       out[i] = *value;
     }

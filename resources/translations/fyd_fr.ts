@@ -7662,6 +7662,10 @@ Pour commencer : %1</translation>
         <translation>enregistrement</translation>
     </message>
     <message>
+        <source>recording of {} Hz at {} mm/s: no band of it can stand in a surface model</source>
+        <translation>enregistrement de {} Hz à {} mm/s : aucune de ses bandes ne peut figurer dans un modèle de surface</translation>
+    </message>
+    <message>
         <source>recording of {} samples: expected at least {}</source>
         <translation>enregistrement de {} échantillons : attendu au moins {}</translation>
     </message>
@@ -7688,6 +7692,10 @@ Pour commencer : %1</translation>
     <message>
         <source>recording: no vibration above {} Hz in it</source>
         <translation>enregistrement : pas de vibration au-dessus de {} Hz</translation>
+    </message>
+    <message>
+        <source>recording: {} g around {} Hz: expected at most {} g</source>
+        <translation>enregistrement : {} g autour de {} Hz : attendu au plus {} g</translation>
     </message>
     <message>
         <source>reference</source>

@@ -7662,6 +7662,10 @@ Per cominciare: %1</translation>
         <translation>registrazione</translation>
     </message>
     <message>
+        <source>recording of {} Hz at {} mm/s: no band of it can stand in a surface model</source>
+        <translation>registrazione di {} Hz a {} mm/s: nessuna sua banda può stare in un modello di superficie</translation>
+    </message>
+    <message>
         <source>recording of {} samples: expected at least {}</source>
         <translation>registrazione di {} campioni: attesi almeno {}</translation>
     </message>
@@ -7688,6 +7692,10 @@ Per cominciare: %1</translation>
     <message>
         <source>recording: no vibration above {} Hz in it</source>
         <translation>registrazione: nessuna vibrazione oltre {} Hz</translation>
+    </message>
+    <message>
+        <source>recording: {} g around {} Hz: expected at most {} g</source>
+        <translation>registrazione: {} g intorno a {} Hz: atteso al massimo {} g</translation>
     </message>
     <message>
         <source>reference</source>

@@ -145,6 +145,34 @@ TEST(SurfaceFit, FindsTheSpectrumAndStrengthOfASurface) {
   EXPECT_FALSE(fitSurface({}, {}, {}, {}));
 }
 
+TEST(SurfaceFit, GivesOnlyBandsThatAModelMayHave) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal(0.0, 0.3);
+  std::vector<double> z(20'000);
+  for (double& v : z) v = normal(random);
+  const std::vector<double> none(z.size(), 0.0);
+  const auto fitted = [&](double rate_Hz, double speed_mm_s) {
+    return fitSurface(none, none, z, {.name = "noise", .sample_rate_Hz = rate_Hz, .speed_mm_s = speed_mm_s});
+  };
+  for (const auto& [rate_Hz, speed_mm_s] :
+       {std::pair{20'000.0, 0.0}, {1000.0, 1.0}, {20'000.0, 40.0}, {5.0, 0.0}, {50.0, 1000.0}}) {
+    const auto fit = fitted(rate_Hz, speed_mm_s);
+    ASSERT_TRUE(fit) << rate_Hz << " Hz: " << fit.error().text();
+    const auto read = parseSurface(formatSurface(fit->model), "m.toml");
+    ASSERT_TRUE(read) << rate_Hz << " Hz, " << speed_mm_s << " mm/s: " << read.error().text();
+    EXPECT_EQ(read->bands.size(), fit->model.bands.size());
+  }
+  // The bands that remain are still the noise's: from 20 Hz to 5 kHz, half of its power.
+  const auto high = fitted(20'000.0, 0.0);
+  double power = 0.0;
+  for (const SurfaceBand& band : high->model.bands) power += band.rms_g * band.rms_g;
+  EXPECT_NEAR(power, 0.3 * 0.3, 0.5 * 0.3 * 0.3);
+  EXPECT_EQ(fitted(5.0, 1000.0).error().text(),
+            "recording of 5 Hz at 1000 mm/s: no band of it can stand in a surface model");
+  for (double& v : z) v *= 1e4;
+  EXPECT_NE(fitted(1000.0, 40.0).error().text().find("expected at most 20 g"), std::string::npos);
+}
+
 TEST(FingerSpeed, ComesFromSuccessiveCentroids) {
   FingerSpeed speed;
   EXPECT_EQ(speed.at(instantAt(0.0)), 0.0);
