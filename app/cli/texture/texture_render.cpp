@@ -63,6 +63,15 @@ int hopOf(const TextureRenderOptions& options) {
   return overlaps ? options.frame / 2 : options.frame;
 }
 
+/// Samples from one edge of a frame to the next in the signal; 0: the method has no frames.
+int edgePeriodOf(const TextureRenderOptions& options) {
+  switch (choiceOf<MethodChoice>(kMethodNames, options.method)) {
+    case MethodChoice::dft321: return hopOf(options);
+    case MethodChoice::dft321_thesis: return options.frame + 1;  // a silent sample between two blocks
+    default: return 0;
+  }
+}
+
 void render(const TextureRenderOptions& options) {
   const auto [recording, rate_Hz] = readInput(options.input, options.rate_Hz);
   const int hop = hopOf(options);
@@ -77,19 +86,20 @@ void render(const TextureRenderOptions& options) {
   const int delay = chain.delaySamples();
   const ThreeAxes& axes = rendered.filtered;
   const MatchFigures figures = compareSpectra(axes.x, axes.y, axes.z, rendered.signal, delay, rate_Hz);
-  const nlohmann::ordered_json json = {{"method", options.method},
-                                       {"filter", options.filter},
-                                       {"rate_Hz", rate_Hz},
-                                       {"frame", options.frame},
-                                       {"hop", hop},
-                                       {"samples", rendered.signal.size()},
-                                       {"gaps", uniform.gaps},
-                                       {"refused_samples", uniform.refused},
-                                       {"spectral_match", jsonNumber(figures.spectral_match)},
-                                       {"energy_ratio", jsonNumber(figures.energy_ratio)},
-                                       {"delay_ms", 1e3 * delay / rate_Hz},
-                                       {"ns_per_sample", jsonNumber(rendered.ns_per_sample)},
-                                       {"edge_jump_ratio", jsonNumber(edgeJumpRatio(rendered.signal, hop, delay))}};
+  const nlohmann::ordered_json json = {
+      {"method", options.method},
+      {"filter", options.filter},
+      {"rate_Hz", rate_Hz},
+      {"frame", options.frame},
+      {"hop", hop},
+      {"samples", rendered.signal.size()},
+      {"gaps", uniform.gaps},
+      {"refused_samples", uniform.refused},
+      {"spectral_match", jsonNumber(figures.spectral_match)},
+      {"energy_ratio", jsonNumber(figures.energy_ratio)},
+      {"delay_ms", 1e3 * delay / rate_Hz},
+      {"ns_per_sample", jsonNumber(rendered.ns_per_sample)},
+      {"edge_jump_ratio", jsonNumber(edgeJumpRatio(rendered.signal, edgePeriodOf(options), delay))}};
   printValues(json, options.json);
 }
 
