@@ -1,9 +1,12 @@
-"""fyd texture render and fit: figures beside what follows from their definitions."""
+"""fyd texture render, fit and felt: figures beside what follows from their definitions."""
 import math
 import random
 import unittest
 
 import fyd
+
+PLANT = {"breakaway_percent": 5, "free_speed_deg_s": 207, "time_constant_ms": 15, "roller_radius_mm": 10,
+         "resonance_Hz": 70, "damping": 0.3, "resonance_Hz_per_deg": 1}
 
 
 class Texture(fyd.Case):
@@ -28,6 +31,26 @@ class Texture(fyd.Case):
         self.assertGreater(self.edges("--method", "dft321"), 0)
         for method in ("single", "soc", "magnitude", "principal", "recolour"):
             self.assertIsNone(self.edges("--method", method), f"{method} has no frames")
+
+    def felt(self, *options, **plant):
+        path = self.path("plant.toml")
+        with open(path, "w", encoding="utf-8") as file:
+            file.writelines(f"{key} = {value}\n" for key, value in (PLANT | plant).items())
+        figures = self.json("texture", "felt", self.accelerations(), "-o", self.path("out.csv"), "--mapping", "symmetric",
+                            "--plant", path, "--json", *options)
+        del figures["ns_per_sample"]
+        return figures
+
+    def test_a_resonance_found_at_another_stretch_is_the_same_cloth(self):
+        stretch = ("--stretch", 30)
+        self.assertEqual(self.felt(*stretch, stretch_deg=45, resonance_Hz=70), self.felt(*stretch, stretch_deg=60, resonance_Hz=85))
+        self.assertNotEqual(self.felt(*stretch, stretch_deg=45, resonance_Hz=70), self.felt(*stretch, stretch_deg=45, resonance_Hz=85))
+
+    def test_a_finger_feels_what_the_cloth_passes_on(self):
+        levels = [self.felt(cloth_gain=gain)["level_g"] for gain in (1, 2, 0.5)]
+        self.assertGreater(levels[0], 1e-4)
+        self.assertAlmostEqual(levels[1] / levels[0], 2, delta=1e-6)
+        self.assertAlmostEqual(levels[2] / levels[0], 0.5, delta=1e-6)
 
     def test_what_was_fitted_can_be_played(self):
         model = self.path("fitted.toml")

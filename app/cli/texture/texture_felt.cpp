@@ -77,7 +77,9 @@ sim::FingerVibrationParameters simulated(const FeltPlant& plant) {
   out.time_constant_ms = plant.time_constant_ms;
   out.position_gain = plant.position_gain_percent_per_deg;
   out.roller_radius_mm = plant.roller_radius_mm;
-  out.resonance_Hz = plant.resonance_Hz;
+  // The simulation's own resonance is the one at the stretch at which its cloth's tension is given.
+  out.resonance_Hz = plant.resonance_Hz +
+                     plant.resonance_Hz_per_deg * (sim::FingerVibration::kReferenceStretch_deg - plant.stretch_deg);
   out.damping = plant.damping;
   out.resonance_Hz_per_deg = plant.resonance_Hz_per_deg;
   return out;
@@ -104,7 +106,7 @@ nlohmann::ordered_json figuresOf(const std::vector<FeltRow>& rows, const FeltPla
   double wanted = 0.0;
   for (const FeltRow& row : rows) {
     signal.push_back(row.signal_g);
-    finger.push_back(simulation.step(row.duty_percent));
+    finger.push_back(plant.cloth_gain * simulation.step(row.duty_percent));
     wanted += row.signal_g * row.signal_g;
     for (std::size_t i = 0; i < kFeltMotors; ++i) heat[i] += row.duty_percent[i] * row.duty_percent[i];
     dead += inDeadZone(row.duty_percent, plant) ? 1.0 : 0.0;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kVibrationParts = 20;  // of a millisecond
 constexpr double kPart_s = 1e-3 / kVibrationParts;
-constexpr double kTensionStretch_deg = 45.0;
 constexpr double kSlack = 1e-3;  // of the stall torque: a lower tension does not close the backlash
 constexpr double kRadians = std::numbers::pi / 180.0;
 
@@ -33,7 +32,7 @@ FingerVibration::FingerVibration(const FingerVibrationParameters& parameters, do
 }
 
 double FingerVibration::tension(std::size_t motor) const {
-  return side(motor) * p_.tension_percent / 100.0 * std::max(stretch_deg(), 0.0) / kTensionStretch_deg;
+  return side(motor) * p_.tension_percent / 100.0 * std::max(stretch_deg(), 0.0) / kReferenceStretch_deg;
 }
 
 double FingerVibration::reference_deg(std::size_t motor) const { return side(motor) * stretch_deg_ + rest_deg_[motor]; }
@@ -74,7 +73,7 @@ void FingerVibration::follow(std::size_t i) {
 double FingerVibration::step(const std::array<double, control::kMotorCount>& duty_percent, double force_N) {
   const double loaded = force_N > 0.0 ? std::pow(force_N, -p_.finger_loading) : 1.0;
   const double resonance_Hz =
-      std::max(5.0, (p_.resonance_Hz + p_.resonance_Hz_per_deg * (stretch_deg() - kTensionStretch_deg)) * loaded);
+      std::max(5.0, (p_.resonance_Hz + p_.resonance_Hz_per_deg * (stretch_deg() - kReferenceStretch_deg)) * loaded);
   const double w = 2.0 * std::numbers::pi * resonance_Hz;
   double sum_mm_s2 = 0.0;
   for (int part = 0; part < kVibrationParts; ++part) {

@@ -21,8 +21,11 @@ namespace fyd::sim {
 
 class FingerVibration {
  public:
+  /// At which tension and resonance are given.
+  static constexpr double kReferenceStretch_deg = 45.0;
+
   /// At rest at this stretch.
-  explicit FingerVibration(const FingerVibrationParameters& parameters, double stretch_deg = 45.0);
+  explicit FingerVibration(const FingerVibrationParameters& parameters, double stretch_deg = kReferenceStretch_deg);
 
   /// One millisecond with this duty. @param force_N of the finger; 0: none, the cloth vibrates alone
   /// @return acceleration of the finger, mean over the millisecond, g
