@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/sim/teleop/desktop_arm.h"
 #include "core/teleop/coupling/coupling_choice.h"
@@ -137,7 +138,14 @@ void TeleopEnd::hear(const protocol::DeviceMessage& message) {
 Vec3 TeleopEnd::step(const DeviceState& device, double now_s) {
   if (isMeasurement(device)) device_ = device;
   if (phase_ == Phase::linked && now_s - heard_s_ > settings_.lost_s.value_or(kLost_s)) phase_ = Phase::lost;
-  if (!isMeasurement(device)) return {};
+  if (!isMeasurement(device)) {
+    if (phase_ == Phase::linked) {
+      constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+      // They learn that no force is exerted, or they would count its work as long as nothing is measured.
+      for (const auto& each : couplings_) static_cast<void>(each->step({.time_s = now_s, .position_m = kUnknown}));
+    }
+    return {};
+  }
   const Vec3& v = device.velocity_mm_per_s;
   if (phase_ != Phase::linked) {
     const double most = settings_.coupling_settings.most_force_N;

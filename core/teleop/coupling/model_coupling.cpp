@@ -51,7 +51,10 @@ void ModelHandEnd::follow(double position_m, double dt) {
 }
 
 double ModelHandEnd::step(const EndState& state) {
-  if (!isSound(state)) return 0.0;
+  if (!isSound(state)) {
+    port_.refuse();
+    return 0.0;
+  }
   port_.observe(state.time_s, state.position_m);
   time_s_ = state.time_s;
   position_m_ = state.position_m;

@@ -22,6 +22,9 @@ class PortEnergy {
     position_m_ = position_m;
   }
 
+  /// A step whose state is no measurement: no force is held from it on, so none works until the next one.
+  void refuse() { force_N_ = 0.0; }
+
   /// The force, reduced so that it gives back no more than was put in less a reserve for changes of the speed within
   /// the step.
   [[nodiscard]] double passive(double force_N, double velocity_m_per_s) {

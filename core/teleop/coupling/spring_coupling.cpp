@@ -18,7 +18,10 @@ void SpringEnd::receive(const CouplingMessage& message) {
 }
 
 double SpringEnd::step(const EndState& state) {
-  if (!isSound(state)) return 0.0;
+  if (!isSound(state)) {
+    force_N_ = 0.0;
+    return 0.0;
+  }
   const double dt = begun_ ? std::clamp(state.time_s - time_s_, 0.0, kLongestStep_s) : kUsualStep_s;
   if (begun_) {
     const double moved_J = force_N_ * (state.position_m - position_m_);

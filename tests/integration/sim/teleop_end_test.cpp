@@ -199,6 +199,28 @@ TEST(TeleopEnd, ADeviceThatMeasuresNothingGetsNoForceAndIsTakenAgain) {
   }
 }
 
+TEST(TeleopEnd, WhatADeviceDoesWhileItMeasuresNothingIsNoWork) {
+  for (const bool far : {true, false}) {
+    TeleopPair pair;
+    pair.hand.device.position_mm = {10.0, 0.0, 0.0};
+    pair.hand.end.start(1);
+    pair.far.end.start(2);
+    pair.run(1000);
+    Peer& blind = far ? pair.far : pair.hand;
+    ASSERT_GT(std::abs(blind.force_N.x), 1.0);
+    const double before_J = blind.end.telemetry().energy_J;
+    DeviceState good = blind.device;
+    blind.device.force_N.z = std::nan("");  // one value is enough
+    pair.run(100);
+    EXPECT_EQ(blind.force_N, Vec3{});
+    good.position_mm.x += 30.0;
+    blind.device = good;
+    pair.run(1);
+    EXPECT_EQ(blind.end.telemetry().energy_J, before_J);
+    EXPECT_GT(std::abs(blind.force_N.x), 1.0);
+  }
+}
+
 TEST(TeleopEnd, WithADeadbandAHandAtRestIsRefreshedAndAMoveIsToldAtOnce) {
   TeleopPair pair(0.10);
   pair.hand.device.position_mm = {10.0, 0.0, 0.0};

@@ -151,6 +151,31 @@ TEST(SpringCoupling, APeerThatLiesAboutItsEnergyIsBelievedOnlyWhatAHandCanDo) {
   EXPECT_GE(energy_J, -1e-3);
 }
 
+// No force is exerted while nothing is measured, so none works, however far the device is when it measures again.
+TEST(Coupling, AMeasurementThatFailsForAWhileCostsNoEnergy) {
+  for (const CouplingChoice choice : {CouplingChoice::spring, CouplingChoice::tdpa, CouplingChoice::model}) {
+    for (const double moved_m : {0.05, -0.05}) {
+      const auto end = makeHandEnd(choice, {});
+      double t = 0.0, force_N = 0.0;
+      const auto step = [&](double at_m) {
+        end->receive(wallAt(t, 0.010, 1000.0));
+        force_N = end->step({.time_s = t, .position_m = at_m, .velocity_m_per_s = 0.0});
+        t += kStep_s;
+      };
+      for (int i = 0; i < 1000; ++i) step(1.5e-5 * i);
+      for (int i = 0; i < 100; ++i) step(0.015);
+      ASSERT_GT(force_N, 3.0);
+      const double before_J = end->telemetry().energy_J;
+      for (int i = 0; i < 100; ++i) {
+        step(kNaN);
+        ASSERT_EQ(force_N, 0.0);
+      }
+      step(0.015 + moved_m);
+      EXPECT_EQ(end->telemetry().energy_J, before_J) << kCouplingNames[static_cast<std::size_t>(choice)];
+    }
+  }
+}
+
 TEST(Coupling, NothingMakesAForceThatIsNotFinite) {
   for (const CouplingChoice choice : {CouplingChoice::spring, CouplingChoice::tdpa, CouplingChoice::model}) {
     for (const bool far : {false, true}) {
