@@ -6010,6 +6010,10 @@ Pour commencer : %1</translation>
         <translation>catalogue '{}' : attendu sqlite:PATH, postgresql:host=… dbname=… user=…, ou none</translation>
     </message>
     <message>
+        <source>catalogue '{}://…': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none</source>
+        <translation>catalogue '{}://…' : attendu sqlite:CHEMIN, postgresql:host=… dbname=… user=…, ou none</translation>
+    </message>
+    <message>
         <source>catalogue: libpq cannot read the words after '{}'; expected host=… dbname=… user=…</source>
         <translation>catalogue : libpq ne peut pas lire les mots après '{}' ; attendu host=… dbname=… user=…</translation>
     </message>

@@ -6010,6 +6010,10 @@ Per cominciare: %1</translation>
         <translation>catalogo '{}': atteso sqlite:PATH, postgresql:host=… dbname=… user=…, o none</translation>
     </message>
     <message>
+        <source>catalogue '{}://…': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none</source>
+        <translation>catalogo '{}://…': atteso sqlite:PERCORSO, postgresql:host=… dbname=… user=…, o none</translation>
+    </message>
+    <message>
         <source>catalogue: libpq cannot read the words after '{}'; expected host=… dbname=… user=…</source>
         <translation>catalogo: libpq non può leggere le parole dopo '{}'; atteso host=… dbname=… user=…</translation>
     </message>
