@@ -1,4 +1,5 @@
 // The whole window on a scripted session: what keys and clicks ask of it, what it shows of what it hears.
+#include "app/console/shell/background.h"
 #include "app/console/shell/options.h"
 #include "app/console/shell/views.h"
 #include "app/console/window/places.h"
@@ -311,6 +312,15 @@ class ConsoleTest : public QObject {
     QCOMPARE(f.window->log()->lines(), 1);
     f.window->start();
     WAIT_EQUAL(f.window->stateBar()->stateWord(), QStringLiteral("Unknown"));
+  }
+
+  void workThatThrowsEndsWithoutAResult() {
+    Background work;
+    bool finished = false;
+    work.run([](const std::stop_token&) -> Background::Finish { throw std::runtime_error("no memory left"); });
+    QTRY_VERIFY(!work.running());
+    work.run([&](const std::stop_token&) -> Background::Finish { return [&] { finished = true; }; });
+    QTRY_VERIFY(finished);
   }
 
   void missedCyclesAreNoneWhenAnotherSessionCountsAnew() {

@@ -336,7 +336,7 @@ void CalibrationRun::accept(const AcceptedWords& words) {
               true);
     return;
   }
-  if (silent_) {
+  if (silent_ || !context_.session.isOpen()) {  // not open: the devices are being changed
     emit said(tr("The station is silent: wait until it answers."), true);
     return;
   }

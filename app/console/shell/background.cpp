@@ -1,5 +1,9 @@
 #include "app/console/shell/background.h"
 
+#include <spdlog/spdlog.h>
+
+#include <exception>
+
 #include <QCoreApplication>
 
 namespace fyd::console {
@@ -15,7 +19,12 @@ void Background::run(Work work) {
   emit runningChanged(true);
   const int number = ++number_;
   threads_[number] = std::jthread([this, work = std::move(work), number](const std::stop_token& stop) {
-    Finish done = work(stop);
+    Finish done;
+    try {
+      done = work(stop);
+    } catch (const std::exception& problem) {  // out of memory, or of a library: the session goes on
+      spdlog::error("Work in the background was given up: {}", problem.what());
+    }
     // The destructor waits for this thread, so `this` is valid; calls queued for it are dropped with it.
     QMetaObject::invokeMethod(
         this, [this, number, done = std::move(done)] { finish(number, done); }, Qt::QueuedConnection);

@@ -14,7 +14,8 @@ class Background : public QObject {
  public:
   /// Runs on the window's thread when the work is done.
   using Finish = std::function<void()>;
-  /// Runs on its own thread; must own its data, and end soon once asked to stop.
+  /// Runs on its own thread; must own its data, and end soon once asked to stop. What it throws is logged, and it has
+  /// no result then.
   using Work = std::function<Finish(const std::stop_token&)>;
 
   using QObject::QObject;
