@@ -1,4 +1,6 @@
 // The whole window on a scripted session: what keys and clicks ask of it, what it shows of what it hears.
+#include <stdexcept>
+
 #include "app/console/shell/background.h"
 #include "app/console/shell/options.h"
 #include "app/console/shell/views.h"
