@@ -46,6 +46,7 @@ Result<void> askMotors(const SourceParameters& wanted, bool free, const device::
 Result<void> askCamera(const SourceParameters& wanted, const device::DeviceParameters& parameters) {
   if (wanted.camera.empty()) {
     if (wanted.touchpad == kSimulated || replay::recordingOf(wanted.touchpad)) return {};
+    if (!device::openTouchpad(wanted.touchpad, parameters)) return {};  // no touchpad's name: that is what is wrong
     return fail("camera: none given; only the simulated touchpad has a simulated camera");
   }
   if (const auto recording = replay::recordingOf(wanted.camera)) {

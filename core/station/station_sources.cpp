@@ -79,11 +79,15 @@ Result<std::unique_ptr<device::Touchpad>> openTouchpad(const StationOptions& opt
                                                        const std::shared_ptr<replay::PlaybackStart>& playback) {
   if (world)
     return device::withMotors(std::make_unique<sim::SimulatedTouchpad>(world), options.motors, options.profile.device);
+  const auto recording = replay::recordingOf(options.touchpad);
+  if (!recording) {  // a word that names no touchpad is wrong before a camera is missing; no device is asked yet
+    if (auto named = device::openTouchpad(options.touchpad, options.profile.device); !named) return named;
+  }
   if (options.camera.empty()) return fail("camera: none given; only the simulated touchpad has a simulated camera");
   if (!options.finger_csv.empty()) {
     return fail("finger '{}': only the simulated touchpad has a simulated finger", options.finger_csv);
   }
-  if (const auto recording = replay::recordingOf(options.touchpad)) {
+  if (recording) {
     if (options.motors.empty()) return replay::RecordedTouchpad::open(*recording, playback);
     return fail("motors '{}': a recording drives no motors", options.motors);
   }
