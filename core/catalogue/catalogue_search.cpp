@@ -147,6 +147,7 @@ Result<std::size_t> Catalogue::count(const SessionFilter& filter) const {
 }
 
 Result<CatalogueEntry> Catalogue::get(const std::string& id) const {
+  if (id.empty()) return fail("session '': an empty id names no session");  // a filter of none would find them all
   auto exact = search({.id = id});
   if (!exact) return tl::unexpected(exact.error());
   if (!exact->empty()) return exact->front();

@@ -28,6 +28,21 @@ std::string_view toString(ProbeOutcome outcome) {
   return sentence("unknown");
 }
 
+Result<void> checkProbe(const ProbeSettings& settings) {
+  const auto above_0 = [](const char* name, double value) -> Result<void> {
+    if (!(value > 0.0 && std::isfinite(value))) return fail("probe: {} is {}; expected a number above 0", name, value);
+    return {};
+  };
+  for (const auto& good :
+       {above_0("step_mm", settings.step_mm), above_0("dwell_s", settings.dwell_s),
+        above_0("contact_threshold_N", settings.contact_threshold_N),
+        above_0("travel_limit_mm", settings.travel_limit_mm), above_0("force_limit_N", settings.force_limit_N),
+        above_0("time_limit_s", settings.time_limit_s)}) {
+    if (!good) return good;
+  }
+  return {};
+}
+
 MaterialProbe::MaterialProbe(const ProbeSettings& settings, const Vec3& start_mm)
     : settings_(settings), start_mm_(start_mm.finite() ? start_mm : Vec3{}), target_mm_(start_mm_) {
   settings_.samples = std::clamp(settings_.samples, 2, static_cast<int>(kMaximumSamples));

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "core/base/batch.h"
+#include "core/base/error.h"
 #include "core/base/time.h"
 #include "core/base/vec3.h"
 #include "core/device/robot/robot.h"
@@ -32,6 +33,9 @@ struct ProbeSettings {
   double time_limit_s = 60.0;
   ProbeEstimate estimate = ProbeEstimate::slope;
 };
+
+/// @return an error that names the first setting that is no number above 0, where a limit would limit nothing
+[[nodiscard]] Result<void> checkProbe(const ProbeSettings& settings);
 
 enum class ProbePhase : std::uint8_t { descending, retreating, finished };
 

@@ -33,6 +33,10 @@ Result<std::unique_ptr<RobotRunner>> RobotRunner::open(const RobotRunnerOptions&
   }
   if (auto limits = checkLimits(options.limits); !limits) return fail("robot end: {}", limits.error().message);
   if (auto good = checkReference(options.reference); !good) return fail("robot end: {}", good.error().message);
+  if (auto good = checkProbe(options.probe); !good) return fail("robot end: {}", good.error().message);
+  if (!(options.known_stiffness_N_per_mm >= 0.0)) {
+    return fail("robot end: known stiffness {} N/mm; expected 0 or more", options.known_stiffness_N_per_mm);
+  }
   auto socket = protocol::UdpSocket::open(options.bind);
   if (!socket) return tl::unexpected(socket.error());
   std::unique_ptr<RobotRunner> made(new RobotRunner(options, std::move(robot), std::move(*socket)));
