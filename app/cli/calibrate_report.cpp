@@ -35,14 +35,14 @@ void printCalibrateReport(const nlohmann::ordered_json& json) {
     if (key == "residuals" || key == "accepted" || key == "reason") continue;
     const bool rows = value.is_array() && !value.empty() && value.front().is_object();
     if (!rows) {
-      std::cout << fmt::format("{:<28}{}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+      std::cout << fmt::format("{:<28}{}\n", key, textOf(value));
       continue;
     }
     std::cout << key << '\n';
     for (const auto& row : value) {
       std::cout << "   ";
       for (const auto& [name, cell] : row.items()) {
-        std::cout << fmt::format(" {} {} ", name, cell.is_string() ? cell.get<std::string>() : cell.dump());
+        std::cout << fmt::format(" {} {} ", name, textOf(cell));
       }
       std::cout << '\n';
     }

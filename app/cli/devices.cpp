@@ -133,8 +133,7 @@ void runDevices(DevicesOptions& options) {
       std::cout << fmt::format("{:<16} {}  {}\n", "asked", answer.address,
                                answer.problem.empty() ? answer.description : say("no: {}", answer.problem));
       for (const auto& [key, value] : answer.values.items()) {
-        std::cout << fmt::format("                 {:<24} {}\n", key,
-                                 value.is_string() ? value.get<std::string>() : value.dump());
+        std::cout << fmt::format("                 {:<24} {}\n", key, textOf(value));
       }
     }
   }

@@ -56,7 +56,7 @@ void takeSettings(sim::GestureCard& card, const GestureOptions& options) {
 }
 
 void write(const sim::GestureCard& card, const GestureOptions& options) {
-  writeTextFile(options.out, valueOrFail(sim::formatGesture(card)));
+  writeTextFile(options.out, valueOrFail(sim::formatGesture(card)), {options.recording, options.card});
   print(card, options.json);
 }
 
@@ -105,8 +105,8 @@ void add_gesture(CLI::App& app) {
   from->callback([options] { fromRecording(*options); });
   CLI::App* part = gesture->add_subcommand("trim", "Part of a card, or a card by another name or speed");
   part->add_option("card", options->card, "Card")->required();
-  part->add_option("--from", options->from_s, "s, of the card's own time")->check(CLI::Range(0.0, 600.0));
-  part->add_option("--to", options->to_s, "s")->check(CLI::Range(0.0, 600.0));
+  part->add_option("--from", options->from_s, "s, of the card's own time")->check(numberFrom(0.0, 600.0));
+  part->add_option("--to", options->to_s, "s")->check(numberFrom(0.0, 600.0));
   addSettings(*part, *options);
   part->callback([options] { trim(*options); });
   CLI::App* show = gesture->add_subcommand("show", "What a card holds");

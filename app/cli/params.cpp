@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/cli/parts/command.h"
+#include "app/cli/parts/output_file.h"
 #include "app/cli/parts/profile_options.h"
 
 namespace fyd::cli {
@@ -62,7 +63,10 @@ void add_params(CLI::App& app) {
     station::Profile standard;
     const auto values = bindParameters(profile);
     const auto standards = bindParameters(standard);
-    if (!options->save.empty()) valueOrFail(station::saveProfile(profile, options->save));
+    if (!options->save.empty()) {
+      refuseToDestroy(options->save, {});  // the profile itself may be saved over
+      valueOrFail(station::saveProfile(profile, options->save));
+    }
     if (options->markdown) {
       printMarkdown(standards);
       return;

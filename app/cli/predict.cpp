@@ -48,7 +48,7 @@ void writePredictions(const PredictOptions& options, const NamedTrace& named, co
     }
     text += '\n';
   }
-  writeTextFile(options.out, text);
+  writeTextFile(options.out, text, {options.trace, options.weights});
 }
 
 void runPredict(const PredictOptions& options) {

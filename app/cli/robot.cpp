@@ -126,15 +126,15 @@ void add_robot(CLI::App& app) {
   addMaterialOptions(*robot, options->material);
   robot->add_flag("--no-probe", options->no_probe, "Do not probe the material");
   robot->add_option("--known-stiffness", options->known_stiffness, "N/mm to tell the touchpad with --no-probe")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(numberFrom(0.0, 1000.0));
   robot->add_option("--probe-travel", options->probe.travel_limit_mm, "Deepest the probe goes, mm")
-      ->check(CLI::Range(1.0, 70.0))
+      ->check(numberFrom(1.0, 70.0))
       ->capture_default_str();
   robot->add_option("--probe-force", options->probe.force_limit_N, "Force at which the probe goes back, N")
-      ->check(CLI::Range(1.0, 50.0))
+      ->check(numberFrom(1.0, 50.0))
       ->capture_default_str();
   robot->add_option("--probe-dwell", options->probe.dwell_s, "Wait at each step of the probe, s")
-      ->check(CLI::Range(0.02, 5.0))
+      ->check(numberFrom(0.02, 5.0))
       ->capture_default_str();
   robot->add_option("--probe-estimate", options->probe_estimate, "Stiffness from the samples")
       ->check(CLI::IsMember({"slope", "mean", "thesis"}))
@@ -147,14 +147,14 @@ void add_robot(CLI::App& app) {
                    "thesis keeps a share of the old target at each touch")
       ->capture_default_str();
   robot->add_option("--smooth", options->smooth_ms, "Time in which a prediction's correction decays, ms")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(numberFrom(0.0, 1000.0))
       ->capture_default_str();
   robot
       ->add_option(
           "--arm-lag", options->arm_lag_ms,
           "Delay of the tool behind the commands to the arm, ms; it is predicted too. The simulated arm knows its own, "
           "the KUKA does not")
-      ->check(CLI::Range(0.0, 500.0));
+      ->check(numberFrom(0.0, 500.0));
   robot->add_option("--smoothing", options->smoothing, "XY,Z: share of the old target kept at each touch, of thesis")
       ->capture_default_str();
   robot->add_option("--workspace", options->workspace, "X,Y,Z: largest distances from the start, mm")

@@ -13,6 +13,7 @@
 #include "core/base/end_signals.h"
 #include "core/catalogue/catalogue.h"
 #include "core/catalogue/catalogue_delivery.h"
+#include "core/recording/format/recording_format.h"
 #include "core/station/profile/option_words.h"
 #include "core/station/station.h"
 #include "core/station/station_sources.h"
@@ -168,8 +169,7 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
     return;
   }
   for (const auto& [key, value] : json.items()) {
-    if (key != "parts")
-      std::cout << fmt::format("{:<32} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+    if (key != "parts") std::cout << fmt::format("{:<32} {}\n", key, textOf(value));
   }
   for (const device::DeviceReport& part : status.parts) {
     std::cout << fmt::format("{:<32} {}\n", toString(part.part),
@@ -177,14 +177,28 @@ void reportStation(const StationOptions& options, const SessionFigures& figures,
   }
 }
 
+/// Files that its telemetry must not be written over.
+std::vector<std::string> inputsOf(const StationOptions& options) {
+  const std::string& record = options.record.path;
+  return {record.empty() ? "" : record + recording::kPartialEnding,
+          record,
+          options.profile.file,
+          options.station.finger_csv,
+          options.station.camera,
+          options.station.key_file,
+          options.station.scene,
+          options.station.surface};
+}
+
 void runStation(const StationOptions& options) {
   watchForEnd();  // before anything is recorded
   // Log to standard error: standard output carries only the result.
   spdlog::set_default_logger(spdlog::stderr_color_mt("fyd"));
   if (options.headless) spdlog::warn("--headless is not needed: this program never opens a window");
+  if (!options.telemetry.empty()) refuseToDestroy(options.telemetry, inputsOf(options));
   auto station = valueOrFail(station::Station::open(options.station));
   std::unique_ptr<TelemetryCsv> csv;
-  if (!options.telemetry.empty()) csv = std::make_unique<TelemetryCsv>(options.telemetry);
+  if (!options.telemetry.empty()) csv = std::make_unique<TelemetryCsv>(options.telemetry, inputsOf(options));
 
   ArmOnce arm;
   SessionFigures figures;
@@ -215,6 +229,7 @@ void runStation(const StationOptions& options) {
   const SessionFigures at_end = figures;
   station->requestStop();  // closing a recording on a slow disk takes seconds
   if (station->recorderStatus().state == recording::RecorderState::recording) (void)station->stopRecording();
+  if (csv) csv->flush();
   reportStation(options, at_end, *station);
   station->shutDown();
   if (options.station.record) {
@@ -237,7 +252,7 @@ void add_station(CLI::App& app) {
   command->add_option("--touchpad", options->touchpad, words::kTouchpad);
   command->add_option("--motors", options->station.motors, words::kMotors);
   command->add_option("--duration", options->duration_s, "Seconds; 0 runs until interrupted")
-      ->check(CLI::Range(0.0, 1e7));
+      ->check(numberFrom(0.0, 1e7));
   command->add_option("--finger", options->station.finger_csv, words::kFinger);
   command->add_option("--camera", options->station.camera, words::kCamera);
   command->add_option("--robot", options->station.robot, words::kRobot);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLeastTarget_N_per_mm = 0.05, kMostTarget_N_per_mm = 3.0;  // pipeline.hand_target_N_per_mm
 
-void writeCourse(const std::string& path, const std::vector<sim::TrialPoint>& course) {
+void writeCourse(const std::string& path, const std::vector<sim::TrialPoint>& course, const std::string& profile) {
   std::string text = "time_s,true_N_per_mm,measured_N_per_mm,stretch_deg\n";
   for (const sim::TrialPoint& point : course) {
     text += (std::isfinite(point.measured_N_per_mm)
@@ -20,7 +20,7 @@ void writeCourse(const std::string& path, const std::vector<sim::TrialPoint>& co
                                point.measured_N_per_mm, point.stretch_deg)
                  : fmt::format("{:.3f},{:.5f},nan,{:.3f}\n", point.time_s, point.true_N_per_mm, point.stretch_deg));
   }
-  writeTextFile(path, text);
+  writeTextFile(path, text, {profile});
 }
 
 nlohmann::ordered_json trialJson(const sim::TrialResult& result) {
@@ -63,7 +63,7 @@ void add_stiffness(CLI::App& app) {
     if (options->controller == "thesis") sim::useThesisController(trial.parameters.control);
     std::vector<sim::TrialPoint> course;
     const nlohmann::ordered_json json = trialJson(sim::runTrial(trial, &course));
-    if (!options->course.empty()) writeCourse(options->course, course);
+    if (!options->course.empty()) writeCourse(options->course, course, options->trial.profile.file);
     printValues(json, options->json);
   });
 }

@@ -1,6 +1,7 @@
 """Whatever a command writes goes to a regular file: never in the place of a device or a pipe, through links, with the
 mode the file had; or to standard output where it is named."""
 import os
+import shutil
 import stat
 import subprocess
 import unittest
@@ -96,6 +97,49 @@ class WriteTargets(fyd.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.path("rows.csv"), encoding="utf-8") as file:
             self.assertIn("t_s", file.readline())
+
+    def test_what_a_command_reads_and_recordings_are_never_written_over(self):
+        kept = self.path("kept.dat")  # a recording by its bytes
+        shutil.copy(self.recording, kept)
+        path = self.write("path.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,1\n0.1,0,0,0\n")
+        link = self.path("link.csv")
+        os.symlink("path.csv", link)
+        for to, command in ((self.recording, ("session", "replay", self.recording, "--telemetry")),
+                            (kept, ("session", "replay", self.recording, "--telemetry")),
+                            (kept, ("params", "--save")),
+                            (link, ("scene", "run", "echography", "--path", path, "-o")),
+                            (path, ("predict", path, "--columns", "x_mm", "--out")),
+                            (self.path("new.h5"), ("stiffness", "--target", 0.6, "--course"))):
+            with self.subTest(command=command):
+                before = None
+                if os.path.exists(to):
+                    with open(to, "rb") as file:
+                        before = file.read()
+                self.assertIn("choose another name", self.refused(1, *command, to))
+                if before is None:
+                    self.assertFalse(os.path.exists(to))
+                else:
+                    with open(to, "rb") as file:
+                        self.assertEqual(file.read(), before)
+        new = self.path("new.fyd")
+        self.assertIn("choose another name", self.refused(1, *SESSION, "--record", new, "--telemetry", new))
+        self.assertFalse(os.path.exists(new) or os.path.exists(new + ".partial"))
+
+    def test_standard_output_is_written_where_it_stands(self):
+        """What the file held before stays, and the summary follows the rows."""
+        with open(self.path("all"), "w", encoding="utf-8") as file:
+            file.write("before\n")
+        with open(self.path("all"), "a", encoding="utf-8") as file:
+            done = subprocess.run([fyd.PROGRAM, *map(str, SESSION), "--telemetry", "/dev/stdout", "--json"], stdout=file,
+                                  stderr=subprocess.PIPE, text=True, check=False, timeout=fyd.PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("all"), encoding="utf-8") as file:
+            first, names, *rest = file.read().splitlines()
+        self.assertEqual(first, "before")
+        rows = rest[:rest.index("{")]
+        self.assertGreater(len(rows), 500)
+        self.assertEqual({row.count(",") for row in rows}, {names.count(",")})
+        self.assertIn("telemetry_lost", "".join(rest[len(rows):]))
 
 
 if __name__ == "__main__":

@@ -31,9 +31,14 @@ T valueOrFail(Result<T> result) {
   if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
 
+/// Check of an option: a number from `least` to `most`. CLI::Range takes NaN for one in any range.
+[[nodiscard]] CLI::Validator numberFrom(double least, double most);
+
 /// Doubles that are not finite become null, as JSON has no NaN.
 [[nodiscard]] nlohmann::ordered_json jsonNumber(double value);
 
+/// A value in text: a string as it is, else as JSON; bytes that are no UTF-8, as names of files may hold, are replaced.
+[[nodiscard]] std::string textOf(const nlohmann::ordered_json& value);
 /// Sets the one JSON document that this program prints on standard output; `printErrorJson` may still add to it.
 void printJson(const nlohmann::ordered_json& json);
 /// That document with --json, else a line for each value, as a terminal may be shown it; those of an object within are

@@ -131,13 +131,13 @@ void addEndOptions(CLI::App& command, EndOptions& options) {
   command.add_flag("--link", options.link, "Speak FYD Link (secured) in place of the classic protocol; needs --key");
   command.add_option("--key", options.key, "Key file of FYD Link");
   command.add_option("--state-rate", options.state_rate_Hz, "States a second to ask for over FYD Link")
-      ->check(CLI::Range(1.0, 1'000.0))
+      ->check(numberFrom(1.0, 1'000.0))
       ->capture_default_str();
   command.add_option("--connect", options.connect, "Touchpad to call, HOST:PORT")->required();
   command.add_option("--bind", options.bind, "Own address, HOST:PORT; port 0: any")->capture_default_str();
   command
       .add_option("--rate", options.rate_Hz, "Cycles a second; each sends a state (classic) or a sample in one (link)")
-      ->check(CLI::Range(1.0, 10'000.0))
+      ->check(numberFrom(1.0, 10'000.0))
       ->capture_default_str();
   command.add_option("--command-at", options.commands,
                      "SECONDS:NAME, a command of the robot's operator that long after the first handshake; "

@@ -16,6 +16,11 @@ nlohmann::ordered_json jsonNumber(double value) {
   return value;
 }
 
+std::string textOf(const nlohmann::ordered_json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 namespace {
 
 std::optional<nlohmann::ordered_json> document;  // NOLINT: one process, one document
@@ -46,10 +51,7 @@ void addLines(const nlohmann::ordered_json& object, const std::string& prefix, L
     if (value.is_object()) {
       addLines(value, prefix + key + ".", lines);
     } else {
-      const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // a file's texts may be invalid UTF-8
-      lines.emplace_back(
-          forTerminal(prefix + key),
-          forTerminal(value.is_string() ? value.get_ref<const std::string&>() : value.dump(-1, ' ', false, replace)));
+      lines.emplace_back(forTerminal(prefix + key), forTerminal(textOf(value)));
     }
   }
 }

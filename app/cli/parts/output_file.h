@@ -1,15 +1,41 @@
-// Files that commands write: regular files, which keep mode and owner, or devices and pipes such as /dev/stdout.
+// Files that commands write: regular files, which keep mode and owner, or own descriptors such as /dev/stdout.
 #pragma once
 
-#include <fstream>
+#include <cstdio>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace fyd::cli {
 
-/// Replaces a regular file atomically: a reader sees the old or the new one. @throws Failure when it cannot be written
-void writeTextFile(const std::string& path, const std::string& text);
+/// @param inputs what the command reads, or writes by another option; empty names count for nothing
+/// @throws Failure when `path` is one of them, or a recording: to write it would destroy what cannot be had again
+void refuseToDestroy(const std::string& path, const std::vector<std::string>& inputs);
 
-/// For a file that grows while the command runs. @throws Failure when it cannot be opened
-[[nodiscard]] std::ofstream openForWriting(const std::string& path);
+/// Replaces a regular file atomically: a reader sees the old or the new one. @throws Failure when it cannot be
+/// written, or by refuseToDestroy
+void writeTextFile(const std::string& path, const std::string& text, const std::vector<std::string>& inputs = {});
+
+/// A file that grows while the command runs. An own descriptor is written where it stands: nothing before is lost, and
+/// what is printed afterwards follows.
+class OutputFile {
+ public:
+  /// @throws Failure when it cannot be opened, or by refuseToDestroy
+  OutputFile(const std::string& path, const std::vector<std::string>& inputs);
+  void write(std::string_view text);
+  void flush();
+  /// Throws Failure when not everything reached the file.
+  void close();
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const { (void)std::fclose(file); }
+  };
+
+  std::string path_;
+  std::unique_ptr<std::FILE, Closer> file_;
+  bool whole_ = true;
+};
 
 }  // namespace fyd::cli

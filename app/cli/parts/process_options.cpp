@@ -44,7 +44,7 @@ void addMaterialOptions(CLI::App& command, MaterialOptions& options) {
       ->check(CLI::IsMember(std::vector<std::string>(sim::kMaterialNames.begin(), sim::kMaterialNames.end())))
       ->capture_default_str();
   command.add_option("--stiffness", options.stiffness, "N/mm in place of the material's own; 0 keeps that")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(numberFrom(0.0, 1000.0));
   command.add_option("--seed", options.seed, "Seed of the simulation's noise")->check(CLI::Range(0, 1'000'000'000));
 }
 
@@ -58,7 +58,7 @@ sim::SimParameters simParameters(const MaterialOptions& options) {
 }
 
 void addRunOptions(CLI::App& command, double& duration_s, bool& json, const std::string& until) {
-  command.add_option("--duration", duration_s, "Seconds to run; 0: until " + until)->check(CLI::Range(0.0, 1e9));
+  command.add_option("--duration", duration_s, "Seconds to run; 0: until " + until)->check(numberFrom(0.0, 1e9));
   command.add_flag("--json", json, "Summary as JSON");
 }
 

@@ -1,17 +1,16 @@
 #include "app/cli/parts/telemetry_csv.h"
 
-#include "app/cli/parts/command.h"
-#include "app/cli/parts/output_file.h"
 #include "core/export/export_csv_text.h"
 
 namespace fyd::cli {
 
-TelemetryCsv::TelemetryCsv(const std::string& path) : path_(path), file_(openForWriting(path)) {
+TelemetryCsv::TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs) : file_(path, inputs) {
   for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
     line_ += line_.empty() ? "" : ",";
     line_ += field.name;
   }
-  file_ << line_ << '\n';
+  line_ += '\n';
+  file_.write(line_);
 }
 
 void TelemetryCsv::write(const pipeline::TelemetrySample& sample) {
@@ -21,12 +20,7 @@ void TelemetryCsv::write(const pipeline::TelemetrySample& sample) {
     exports::appendNumber(line_, field.read(sample));
   }
   line_ += '\n';
-  file_ << line_;
-}
-
-void TelemetryCsv::close() {
-  file_.close();
-  if (!file_) throw Failure(say("{}: writing failed; is the disk full?", path_));
+  file_.write(line_);
 }
 
 }  // namespace fyd::cli

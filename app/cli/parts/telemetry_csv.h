@@ -1,24 +1,27 @@
 // Telemetry as a CSV file, one row per step, columns as in telemetryFields().
 #pragma once
 
-#include <fstream>
 #include <string>
+#include <vector>
 
+#include "app/cli/parts/output_file.h"
 #include "core/pipeline/telemetry.h"
 
 namespace fyd::cli {
 
 class TelemetryCsv {
  public:
+  /// @param inputs of the command, as for writeTextFile
   /// Throws Failure when the file cannot be made.
-  explicit TelemetryCsv(const std::string& path);
+  TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs);
   void write(const pipeline::TelemetrySample& sample);
+  /// What was written so far stands before anything that is printed from now on.
+  void flush() { file_.flush(); }
   /// Throws Failure when not everything reached the file.
-  void close();
+  void close() { file_.close(); }
 
  private:
-  std::string path_;
-  std::ofstream file_;
+  OutputFile file_;
   std::string line_;
 };
 

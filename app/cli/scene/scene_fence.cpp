@@ -34,6 +34,8 @@ constexpr double kRaised_rad = -0.25;                // the blade rises towards 
 constexpr double kWrist_rad_per_mm = 0.02;           // rotation per sideways motion of the hand
 constexpr double kTell_s = 1.0;                      // interval of announcing the scene that this end uses
 constexpr double kKept_s = 3.0;                      // history of estimates, compared with later messages
+constexpr int kMostDatagrams = 64;                   // a step takes in; a flood must not hold the player up
+constexpr std::size_t kMostAges = 1 << 20;           // 17 min of messages; then every new one replaces an old one
 constexpr double kClock_s = 4.0 * 365.25 * 86400.0;  // the clock wraps; dates in messages span 8.9 years
 
 /// Seconds of the system clock at the start, then of the monotonic clock. Two machines agree as well as their clocks
@@ -118,11 +120,14 @@ class Player {
   void step(Instant now) {
     const double now_s = clock_.at(now);
     if (figures.steps++ == 0) began_s_ = now_s;
-    while (const auto got = socket_.receive(buffer_, Duration::zero())) {
+    for (int taken = 0; taken < kMostDatagrams; ++taken) {
+      const auto got = socket_.receive(buffer_, Duration::zero());
+      if (!got) break;
       take(std::span<const std::uint8_t>(buffer_).first(got->size), got->from, now_s);
     }
     const scene::SwordTouch touch = end_.step(hand_.at(now_s - began_s_), now_s);
     if (linked()) remember(now_s);
+    to_compare_.clear();
     figures.touching += touch.touching ? 1 : 0;
     figures.contacts += touch.began ? 1 : 0;
     figures.largest_force_N = std::max(figures.largest_force_N, touch.force_N.norm());
@@ -144,7 +149,7 @@ class Player {
       std::this_thread::sleep_for(fromSeconds(settings_.players.period_s));
       say(end_.datagram(clock_.at(Clock::now())));
     }
-    if (!options_.out.empty()) writeTextFile(options_.out, rows_);
+    if (!options_.out.empty()) writeTextFile(options_.out, rows_, {options_.scene, options_.path, options_.card});
   }
 
   [[nodiscard]] protocol::SceneCopies scenes() const {
@@ -181,7 +186,12 @@ class Player {
     if (!message->running) return;
     if (figures.received++ == 0) figures.first_s = message->date_s;
     figures.last_s = std::max(figures.last_s, message->date_s);
-    figures.ages_ms.push_back(1e3 * (now_s - message->date_s));
+    const double age_ms = 1e3 * (now_s - message->date_s);
+    if (figures.ages_ms.size() < kMostAges) {
+      figures.ages_ms.push_back(age_ms);
+    } else {
+      figures.ages_ms[figures.received % kMostAges] = age_ms;
+    }
     to_compare_.push_back(*message);
   }
 
@@ -189,7 +199,6 @@ class Player {
     believed_.emplace_back(now_s, end_.other().grip_mm);
     while (now_s - believed_.front().first > kKept_s) believed_.pop_front();
     for (const protocol::DeviceMessage& message : to_compare_) compare(message);
-    to_compare_.clear();
   }
 
   /// Compares the position in a message with the estimate for its date.
@@ -250,6 +259,7 @@ void fence(const FenceOptions& options) {
   if (!predictor) throw UsageError(about("--predictor", predictor.error().message));
   const sim::FencingSettings settings{
       .swords = *file.description.swords, .players = file.description.fencing, .predictor = *predictor};
+  if (!options.out.empty()) refuseToDestroy(options.out, {options.scene, options.path, options.card});
   Player player(options, settings, digestOf(file));
   std::cerr << fmt::format("fencing on {} with {}\n", protocol::toString(player.local()),
                            options.peer.empty() ? "whoever speaks first" : options.peer);
@@ -294,7 +304,7 @@ void addSceneFence(CLI::App& scene) {
       command->add_option("--path", options->path, "What the hand does: CSV with t_s, x_mm, y_mm, z_mm; repeats");
   auto* card = command->add_option("--card", options->card, "What the hand does: a gesture card")->excludes(path);
   command->add_option("--strokes", options->strokes_Hz, "Without those: strokes from side to side, so many a second")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(numberFrom(0.0, 10.0))
       ->excludes(path)
       ->excludes(card)
       ->capture_default_str();

@@ -80,7 +80,7 @@ void run(const RunOptions& options) {
     ns.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
     rows.push_back({path.time_s[i], path.probe_mm[i], touch});
   }
-  if (!options.out.empty()) writeTextFile(options.out, csvOf(rows));
+  if (!options.out.empty()) writeTextFile(options.out, csvOf(rows), {options.scene, options.path});
   nlohmann::ordered_json json = summaryOf(rows, ns);
   if (options.json && options.out.empty()) {
     json["columns"] = kColumns;

@@ -117,7 +117,8 @@ void addSessionList(CLI::App& session) {
                                                       {"bytes", SessionOrder::bytes},
                                                       {"path", SessionOrder::path}};
   command->add_option("--sort", filter.order, "started (default), duration, operator, subject, bytes or path")
-      ->transform(CLI::CheckedTransformer(orders).description(""));
+      ->transform(CLI::Transformer(orders).description(""))
+      ->transform(CLI::IsMember(orders).description(""));  // first: the other would name the values of the enum
   command->add_flag("--ascending", options->ascending, "Smallest first; without it the newest or largest");
   command->add_option("--limit", filter.limit, "At most so many");
   command->add_option("--offset", filter.offset, "Leave out so many first");

@@ -84,10 +84,10 @@ void addSimKrc(CLI::App& sim) {
       ->required();
   krc->add_option("--bind", options->bind, "Own address, HOST:PORT; port 0: any")->capture_default_str();
   krc->add_option("--period", options->period_ms, "Milliseconds between two measurements")
-      ->check(CLI::Range(1.0, 100.0))
+      ->check(numberFrom(1.0, 100.0))
       ->capture_default_str();
   krc->add_option("--monitor-for", options->monitor_for_s, "Seconds of good link quality before command mode")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
   krc->add_option("--mode-at", options->modes, "SECONDS:MODE, off, monitor or command from then on; repeatable");
   addMaterialOptions(*krc, options->material);

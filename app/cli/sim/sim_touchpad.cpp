@@ -106,7 +106,7 @@ void addSimTouchpad(CLI::App& sim) {
                       fmt::format("NAME@SECONDS or NAME@SECONDS+DURATION; repeatable. Names: {}",
                                   fmt::join(sim::kTouchpadFaultNames, ", ")));
   command->add_option("--duration", options->duration_s, "Seconds to run; 0: until Ctrl-C")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(numberFrom(0.0, 1e9));
   command->add_flag("--print-map", options->print_map, "Print the register map as Markdown and end");
   command->add_flag("--json", options->json, "Summary as JSON");
   command->callback([options] { runSimTouchpad(*options); });

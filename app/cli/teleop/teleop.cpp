@@ -25,7 +25,7 @@ struct RunOptions {
 
 constexpr double kUsualDelay_ms = 50.0;
 
-void writeRows(const std::string& path, const std::vector<sim::TeleopRow>& rows) {
+void writeRows(const RunOptions& options, const std::vector<sim::TeleopRow>& rows) {
   std::string text =
       "t_s,hand_x_mm,hand_y_mm,hand_z_mm,far_x_mm,far_y_mm,far_z_mm,hand_force_N,far_force_N,told_x_mm,told_x_mm_per_s,"
       "told_force_N\n";
@@ -35,7 +35,7 @@ void writeRows(const std::string& path, const std::vector<sim::TeleopRow>& rows)
     text += fmt::format(",{},{},{},{},{}\n", row.hand_force_N, row.far_force_N, row.told_x_mm, row.told_x_mm_per_s,
                         row.told_force_N);
   }
-  writeTextFile(path, text);
+  writeTextFile(options.out, text, {options.trace, options.profile});
 }
 
 void runRun(RunOptions options) {
@@ -61,7 +61,7 @@ void runRun(RunOptions options) {
   const NamedTrace named = readTrace(options.trace, options.columns);
   std::vector<sim::TeleopRow> rows;
   const sim::TeleopFigures f = runTeleop(named.trace, settings, options.out.empty() ? nullptr : &rows);
-  if (!options.out.empty()) writeRows(options.out, rows);
+  if (!options.out.empty()) writeRows(options, rows);
   const nlohmann::ordered_json json{{"predictor", options.predictor},
                                     {"coupling", options.coupling},
                                     {"columns", named.columns},

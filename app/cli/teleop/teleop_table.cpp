@@ -122,7 +122,11 @@ void runTable(const TableOptions& options) {
     }
   }
   if (options.json) printJson(rows);
-  if (!options.out.empty()) writeTextFile(options.out, teleopPicture(panels));
+  if (!options.out.empty()) {
+    std::vector<std::string> inputs;
+    for (const auto& file : files) inputs.push_back(file.string());
+    writeTextFile(options.out, teleopPicture(panels), inputs);
+  }
 }
 
 }  // namespace

@@ -6,12 +6,13 @@
 
 namespace fyd::cli {
 
-void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal) {
+void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal,
+                 const std::string& input) {
   std::string text = "t_s,signal\n";
   for (std::size_t n = 0; n < signal.size(); ++n) {
     fmt::format_to(std::back_inserter(text), "{},{}\n", start_s + static_cast<double>(n) / rate_Hz, signal[n]);
   }
-  writeTextFile(path, text);
+  writeTextFile(path, text, {input});
 }
 
 Input readInput(const std::string& path, double rate_Hz) {
@@ -31,7 +32,7 @@ texture::FeltPlant readPlant(const std::string& path) {
 void addInputOptions(CLI::App& command, std::string& path, double& rate_Hz) {
   command.add_option("input", path, "CSV: t_s,ax,ay,az in s and g, or three columns and --rate")->required();
   command.add_option("--rate", rate_Hz, "Sample rate to work at, Hz; the recording's own when left out")
-      ->check(CLI::Range(1.0, 1e6));
+      ->check(numberFrom(1.0, 1e6));
 }
 
 void add_texture(CLI::App& app) {

@@ -21,7 +21,8 @@ void addTextureFelt(CLI::App& parent);
 void addTextureIdentify(CLI::App& parent);
 
 /// CSV t_s,signal with the digits that round-trip.
-void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal);
+void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal,
+                 const std::string& input);
 
 /// The recording and the rate to work at: `rate_Hz`, or the recording's own when that is 0.
 struct Input {

@@ -56,7 +56,7 @@ void addTextureContact(CLI::App& parent) {
       parent.add_subcommand("contact", "Find touches and slip onsets in accelerations (our own method)");
   addInputOptions(*command, options->input, options->rate_Hz);
   command->add_option("--ratio", options->parameters.threshold_ratio, "Threshold, in multiples of the noise floor")
-      ->check(CLI::Range(1.5, 100.0))
+      ->check(numberFrom(1.5, 100.0))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Events as JSON");
   command->callback([options] { contact(*options); });

@@ -85,14 +85,14 @@ sim::FingerVibrationParameters simulated(const FeltPlant& plant) {
   return out;
 }
 
-void write(const std::string& path, double start_s, const std::vector<FeltRow>& rows) {
+void write(const FeltOptions& options, double start_s, const std::vector<FeltRow>& rows) {
   std::string text = "t_s,signal_g,wanted_g,duty1_percent,duty2_percent,limited\n";
   for (std::size_t n = 0; n < rows.size(); ++n) {
     const FeltRow& row = rows[n];
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", start_s + static_cast<double>(n) / kRate_Hz,
                    row.signal_g, row.wanted_g, row.duty_percent[0], row.duty_percent[1], row.limited ? 1 : 0);
   }
-  writeTextFile(path, text);
+  writeTextFile(options.output, text, {options.input, options.plant});
 }
 
 nlohmann::ordered_json figuresOf(const std::vector<FeltRow>& rows, const FeltPlant& plant, double stretch_deg) {
@@ -152,7 +152,7 @@ void felt(const FeltOptions& options) {
     rows[n] = mapping.step(signal[n], in.gap || in.acceleration_g == Vec3{});
   }
   const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
-  write(options.output, input.recording.start_s, rows);
+  write(options, input.recording.start_s, rows);
 
   nlohmann::ordered_json json = {
       {"mapping", options.mapping},
@@ -186,13 +186,13 @@ void addTextureFelt(CLI::App& parent) {
   command->add_option("--plant", options->plant, "The way to the finger (plant.toml); not identified when left out");
   CLI::Option* stretch =
       command->add_option("--stretch", options->stretch_deg, "Stretch of the cloth, °; the plant's when left out")
-          ->check(CLI::Range(0.0, 120.0));
+          ->check(numberFrom(0.0, 120.0));
   command->add_option("--method", options->method, "How three axes become one; recolour has no delay")
       ->check(CLI::IsMember(namesOf(kMethodNames)))
       ->capture_default_str();
-  command->add_option("--k-vib", options->k_vib, "Gain")->check(CLI::Range(0.0, 10.0))->capture_default_str();
+  command->add_option("--k-vib", options->k_vib, "Gain")->check(numberFrom(0.0, 10.0))->capture_default_str();
   command->add_option("--level", options->level_g, "Stored RMS of this surface, g; 0: learned")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(numberFrom(0.0, 100.0))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Figures as JSON");
   command->callback([options, stretch] {

@@ -81,7 +81,7 @@ void render(const TextureRenderOptions& options) {
                      std::move(*method));
   const UniformRecording uniform = valueOrFail(makeUniform(recording, rate_Hz));
   const Rendered rendered = renderAll(uniform.steps, chain, options.frame);
-  if (!options.output.empty()) writeSignal(options.output, recording.start_s, rate_Hz, rendered.signal);
+  if (!options.output.empty()) writeSignal(options.output, recording.start_s, rate_Hz, rendered.signal, options.input);
 
   const int delay = chain.delaySamples();
   const ThreeAxes& axes = rendered.filtered;
@@ -122,7 +122,7 @@ void addTextureRender(CLI::App& parent) {
       ->check(CLI::IsMember(namesOf(kFilterNames)))
       ->capture_default_str();
   command->add_option("--corner", options->corner_Hz, "Corner of the default high-pass, Hz")
-      ->check(CLI::Range(1.0, 1e5))
+      ->check(numberFrom(1.0, 1e5))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Figures as JSON");
   command->callback([options] { render(*options); });

@@ -46,7 +46,7 @@ void fit(const FitOptions& options) {
                                   .force_N = options.force_N});
   if (!result) throw Failure(about(options.input, result.error().message));
   const std::string text = formatSurface(result->model);
-  if (!options.output.empty()) writeTextFile(options.output, text);
+  if (!options.output.empty()) writeTextFile(options.output, text, {options.input});
   if (options.json) {
     printJson({{"name", result->model.name},
                {"bands", result->model.bands.size()},
@@ -82,7 +82,7 @@ void play(const PlayOptions& options) {
     energy += sample * sample;
   }
   const double rms_g = signal.empty() ? 0.0 : std::sqrt(energy / static_cast<double>(signal.size()));
-  writeSignal(options.output, 0.0, options.rate_Hz, signal);
+  writeSignal(options.output, 0.0, options.rate_Hz, signal, file);
   if (options.json) {
     printJson({{"name", model.name}, {"samples", signal.size()}, {"rms_g", rms_g}});
   } else {
@@ -110,14 +110,14 @@ void addTexturePlay(CLI::App& parent) {
   CLI::App* command = parent.add_subcommand("play", "Render a stored surface at one speed and force");
   command->add_option("model", options->model, "Surface model: a file (TOML), or the name of one that comes along")
       ->required();
-  command->add_option("--speed", options->speed_mm_s, "Finger speed, mm/s")->required()->check(CLI::Range(0.0, 1000.0));
-  command->add_option("--force", options->force_N, "Normal force, N")->required()->check(CLI::Range(0.0, 20.0));
+  command->add_option("--speed", options->speed_mm_s, "Finger speed, mm/s")->required()->check(numberFrom(0.0, 1000.0));
+  command->add_option("--force", options->force_N, "Normal force, N")->required()->check(numberFrom(0.0, 20.0));
   command->add_option("-o,--output", options->output, "CSV to write: t_s,signal")->required();
   command->add_option("--rate", options->rate_Hz, "Sample rate, Hz")
-      ->check(CLI::Range(50.0, 1e5))
+      ->check(numberFrom(50.0, 1e5))
       ->capture_default_str();
   command->add_option("--duration", options->duration_s, "Length, s")
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(numberFrom(0.0, 3600.0))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of the surface's noise")->capture_default_str();
   command->add_flag("--json", options->json, "Figures as JSON");
