@@ -7610,6 +7610,10 @@ Pour commencer : %1</translation>
         <translation>enfoncé de</translation>
     </message>
     <message>
+        <source>probe: {} is {}; expected a number above 0</source>
+        <translation>sonde : {} vaut {} ; attendu un nombre supérieur à 0</translation>
+    </message>
+    <message>
         <source>proposed</source>
         <translation>proposé</translation>
     </message>
@@ -7770,6 +7774,10 @@ Pour commencer : %1</translation>
         <translation>robot '{}' : ne prend pas de fichier de clé ; seul link:HOST:PORT en prend un</translation>
     </message>
     <message>
+        <source>robot end: known stiffness {} N/mm; expected 0 or more</source>
+        <translation>côté robot : raideur connue {} N/mm ; attendu 0 ou plus</translation>
+    </message>
+    <message>
         <source>robot end: the touchpad's address {} has no port to call</source>
         <translation>côté robot : l'adresse {} du touchpad n'a pas de port à appeler</translation>
     </message>
@@ -7892,6 +7900,10 @@ Pour commencer : %1</translation>
     <message>
         <source>serial number</source>
         <translation>numéro de série</translation>
+    </message>
+    <message>
+        <source>session '': an empty id names no session</source>
+        <translation>session '' : un identifiant vide ne désigne aucune session</translation>
     </message>
     <message>
         <source>session '{}': not in {}</source>

@@ -7610,6 +7610,10 @@ Per cominciare: %1</translation>
         <translation>premuto di</translation>
     </message>
     <message>
+        <source>probe: {} is {}; expected a number above 0</source>
+        <translation>sonda: {} è {}; atteso un numero maggiore di 0</translation>
+    </message>
+    <message>
         <source>proposed</source>
         <translation>proposto</translation>
     </message>
@@ -7770,6 +7774,10 @@ Per cominciare: %1</translation>
         <translation>robot '{}': non prende un file della chiave; solo link:HOST:PORT lo prende</translation>
     </message>
     <message>
+        <source>robot end: known stiffness {} N/mm; expected 0 or more</source>
+        <translation>lato robot: rigidezza nota {} N/mm; atteso 0 o più</translation>
+    </message>
+    <message>
         <source>robot end: the touchpad's address {} has no port to call</source>
         <translation>lato robot: l'indirizzo {} del touchpad non ha una porta da chiamare</translation>
     </message>
@@ -7892,6 +7900,10 @@ Per cominciare: %1</translation>
     <message>
         <source>serial number</source>
         <translation>numero di serie</translation>
+    </message>
+    <message>
+        <source>session '': an empty id names no session</source>
+        <translation>sessione '': un identificativo vuoto non indica alcuna sessione</translation>
     </message>
     <message>
         <source>session '{}': not in {}</source>

@@ -36,7 +36,7 @@ class Usage(fyd.Case):
 
     def test_an_empty_value_is_not_an_option_left_out(self):
         station = ("station", "--simulate", "--duration", 1)
-        for command in ((*station, "--record", ""), (*station, "--telemetry="), (*station, "--profile", ""),
+        for command in ((*station, "--record", ""), (*station, "--telemetry", ""), (*station, "--profile", ""),
                         ("params", "--save", ""), ("stiffness", "--target", 0.6, "--course", ""),
                         ("session", "info", ""), ("session", "forget", ""), ("session", "tag", "", "--add", "x"),
                         ("session", "notes", "", "x")):

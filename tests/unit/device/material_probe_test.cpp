@@ -169,7 +169,7 @@ TEST(MaterialProbe, TimeThatStandsStillOrGoesBackNeverMovesIt) {
 }  // namespace
 TEST(MaterialProbe, ALimitThatIsNoNumberIsRefused) {
   EXPECT_TRUE(checkProbe({}));
-  for (const double wrong : {std::nan(""), 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+  for (const double wrong : {kNaN, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     EXPECT_FALSE(checkProbe({.force_limit_N = wrong}));
     EXPECT_FALSE(checkProbe({.travel_limit_mm = wrong}));
     EXPECT_FALSE(checkProbe({.dwell_s = wrong}));
