@@ -75,6 +75,20 @@ class Installer(unittest.TestCase):
         done = self.bash("show_installing", input=status)
         self.assertEqual(done.stdout, "[ 12 % ] Retrieving file 1 of 3\n/x.deb: 0:is damaged\n".replace("0:", ""))
 
+    def test_a_preset_says_what_is_built_whatever_was_left_out_before(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(small NONE)\n"
+                                                                 "option(FYD_BUILD_TESTS \"\" ON)\noption(FYD_BUILD_BENCHMARKS \"\" ON)\n")
+            (pathlib.Path(folder) / "CMakePresets.json").write_text((SOURCE / "CMakePresets.json").read_text())
+            for preset, words, tests, benchmarks in (
+                    ("release", ["-DFYD_BUILD_TESTS=OFF", "-DFYD_BUILD_BENCHMARKS=OFF"], "OFF", "OFF"),
+                    ("release", [], "ON", "ON"), ("package", [], "OFF", "OFF"), ("branches", [], "ON", "OFF")):
+                done = subprocess.run(["cmake", "--preset", preset, *words], cwd=folder, capture_output=True, text=True, timeout=120)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                cache = (pathlib.Path(folder) / "build" / preset / "CMakeCache.txt").read_text()
+                self.assertIn(f"FYD_BUILD_TESTS:BOOL={tests}\n", cache)
+                self.assertIn(f"FYD_BUILD_BENCHMARKS:BOOL={benchmarks}\n", cache)
+
 
 if __name__ == "__main__":
     unittest.main()
