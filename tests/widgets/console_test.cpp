@@ -317,11 +317,11 @@ class ConsoleTest : public QObject {
   }
 
   void workThatThrowsEndsWithoutAResult() {
-    Background work;
+    console::Background work;
     bool finished = false;
-    work.run([](const std::stop_token&) -> Background::Finish { throw std::runtime_error("no memory left"); });
+    work.run([](const std::stop_token&) -> console::Background::Finish { throw std::runtime_error("no memory left"); });
     QTRY_VERIFY(!work.running());
-    work.run([&](const std::stop_token&) -> Background::Finish { return [&] { finished = true; }; });
+    work.run([&](const std::stop_token&) -> console::Background::Finish { return [&] { finished = true; }; });
     QTRY_VERIFY(finished);
   }
 
