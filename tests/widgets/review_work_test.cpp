@@ -18,7 +18,7 @@ namespace {
 using widgets::ProgressBar;
 
 /// While it lives no other thread reads a recording: work that was begun is not over before it is looked at.
-using Halt = std::unique_lock<std::recursive_mutex>;
+using Halt = std::unique_lock<recording::FairMutex>;
 
 struct WorkFixture : ReviewFixture {
   WorkFixture() {
