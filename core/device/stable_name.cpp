@@ -55,4 +55,13 @@ Result<std::string> resolveDevice(const std::string& text, std::string_view fold
               fmt::join(fitting, ", "));
 }
 
+std::string withoutSecrets(std::string_view source) {
+  const auto scheme = source.find("://");
+  if (scheme == std::string_view::npos) return std::string(source);
+  const auto host = scheme + 3;
+  const auto at = source.substr(host, source.find_first_of("/?#", host) - host).rfind('@');
+  if (at == std::string_view::npos) return std::string(source);
+  return std::string(source.substr(0, host)) + std::string(source.substr(host + at + 1));
+}
+
 }  // namespace fyd::device

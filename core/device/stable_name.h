@@ -25,4 +25,7 @@ inline constexpr std::string_view kCamerasById = "/dev/v4l/by-id";
   return chosen.empty() ? usual : chosen;
 }
 
+/// A source as it may be shown and recorded: without the user and password of a URL.
+[[nodiscard]] std::string withoutSecrets(std::string_view source);
+
 }  // namespace fyd::device

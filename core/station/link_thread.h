@@ -9,13 +9,13 @@
 
 #include "core/base/latest_value.h"
 #include "core/base/ring.h"
+#include "core/base/timed.h"
 #include "core/device/part_monitor.h"
 #include "core/pipeline/inputs.h"
 #include "core/protocol/link/link_keys.h"
 #include "core/protocol/link_parameters.h"
 #include "core/protocol/touchpad_end.h"
 #include "core/protocol/udp_socket.h"
-#include "core/station/link_snapshot.h"
 #include "core/station/link_status.h"
 
 namespace fyd::station {
@@ -26,6 +26,38 @@ struct Announcement {
   Instant taken{};
   double k_vib = 0.0;
   control::MotorCommand motors;
+};
+
+/// The latest state values from the robot; its streams go through the rings.
+struct LinkSnapshot {
+  pipeline::LinkPhase phase = pipeline::LinkPhase::waiting;
+  // Each increases even with what was over before the loop read it.
+  std::uint64_t losses = 0;    ///< of the link
+  std::uint64_t sessions = 0;  ///< begun by a robot
+  Timed<pipeline::RobotState> state;
+  Timed<pipeline::RobotMotorReference> motor_reference;
+  double sample_delay_ms = 0.0;  ///< how long the texture must wait for accelerations; 0: for none (classic)
+};
+
+/// The phase for one step after the other: a loss and a new session are seen for a step each, also when both were over
+/// before the loop read the snapshot. Else a robot that restarts within a cycle would be taken for the one before.
+class SeenPhase {
+ public:
+  [[nodiscard]] pipeline::LinkPhase next(const LinkSnapshot& newest) {
+    if (newest.losses != losses_) {
+      losses_ = newest.losses;
+      return pipeline::LinkPhase::lost;
+    }
+    if (newest.sessions != sessions_) {
+      sessions_ = newest.sessions;
+      return pipeline::LinkPhase::waiting;
+    }
+    return newest.phase;
+  }
+
+ private:
+  std::uint64_t losses_ = 0;
+  std::uint64_t sessions_ = 0;
 };
 
 class LinkThread {

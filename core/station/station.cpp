@@ -6,8 +6,8 @@
 
 #include "core/base/codecs/codecs.h"
 #include "core/base/profile_text.h"
-#include "core/device/camera/camera_source.h"
 #include "core/device/camera/capture_camera.h"
+#include "core/device/stable_name.h"
 #include "core/device/touchpad/reading_values.h"
 #include "core/scene/scene_stage.h"
 #include "core/station/haptic_thread.h"

@@ -29,15 +29,6 @@ std::optional<int> deviceNumber(const std::string& source) {
 
 }  // namespace
 
-std::string withoutSecrets(std::string_view source) {
-  const auto scheme = source.find("://");
-  if (scheme == std::string_view::npos) return std::string(source);
-  const auto host = scheme + 3;
-  const auto at = source.substr(host, source.find_first_of("/?#", host) - host).rfind('@');
-  if (at == std::string_view::npos) return std::string(source);
-  return std::string(source.substr(0, host)) + std::string(source.substr(host + at + 1));
-}
-
 Result<std::unique_ptr<Camera>> openCamera(const std::string& source, const DeviceParameters& parameters) {
   namespace fs = std::filesystem;
   const auto open = [&](CaptureKind kind, std::optional<int> number = std::nullopt) {

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 
 #include "core/base/error.h"
 #include "core/device/camera/camera.h"
@@ -27,8 +26,5 @@ namespace fyd::device {
 /// @return an error that names the source, the kind it was taken for and what was found
 [[nodiscard]] Result<std::unique_ptr<Camera>> openCamera(const std::string& source,
                                                          const DeviceParameters& parameters = {});
-
-/// A source as it may be shown and recorded: without the user and password of a URL.
-[[nodiscard]] std::string withoutSecrets(std::string_view source);
 
 }  // namespace fyd::device

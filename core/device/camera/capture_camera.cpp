@@ -8,7 +8,6 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "core/base/codecs/codecs.h"
-#include "core/device/camera/camera_source.h"
 
 namespace fyd::device {
 namespace {

@@ -19,6 +19,7 @@
 
 #include "core/device/camera/picture_decoder.h"
 #include "core/device/pacer.h"
+#include "core/device/stable_name.h"
 
 namespace fyd::device {
 namespace {
