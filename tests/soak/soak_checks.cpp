@@ -69,6 +69,7 @@ void Checks::standstill(const pipeline::Inputs& inputs, const pipeline::Outputs&
   for (const double duty : outputs.motors.vibration_duty_percent) {
     expect(duty == 0.0, "a vibration duty outside Active", duty, 0.0);
   }
+  if (now == SafetyState::active && state_ != SafetyState::active) return;  // armed in a pause: from where they stand
   if (!inputs.changes.empty()) return;  // a live parameter of the mixing moves the ticks of the same stretch
   expect(outputs.motors.reference_ticks == motors_.reference_ticks, "a motor's reference outside Active, in ticks",
          outputs.motors.reference_ticks[0], motors_.reference_ticks[0]);
