@@ -130,9 +130,6 @@ void finish(const CalibrateOptions& options, const calibration::CalibrationResul
   json["threshold"] = result.verdict.threshold;
   json["accepted"] = result.verdict.accepted;
   json["reason"] = reason;
-  if (!options.report.empty() && std::filesystem::exists(options.report)) {
-    throw Failure(say("{}: exists already; nothing was written", options.report));
-  }
   if (!options.report.empty()) valueOrFail(report::checkReportTarget(options.report, false));
   const auto former = recordsBefore(options);
   calibration::CalibrationRecord said;

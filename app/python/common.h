@@ -60,8 +60,8 @@ class Shared {
   std::mutex mutex_;
 };
 
-/// While it lives, no thread of this process is inside HDF5 through h5py: both use the same library, which is not
-/// thread-safe, and each of the two locks only its own calls. Taken before the interpreter's lock is released.
+/// While it lives, no thread of this process is inside HDF5 through h5py: both use the same library, not every build of
+/// which is thread-safe, and each of the two locks only its own calls. Taken before the interpreter's lock is released.
 class Hdf5Turn {
  public:
   Hdf5Turn();

@@ -11,8 +11,7 @@ constexpr Duration kTouchpadSilence = std::chrono::milliseconds(500);
 constexpr Duration kFirstRetry = std::chrono::milliseconds(20);
 constexpr Duration kLongestRetry = std::chrono::milliseconds(500);
 constexpr Duration kTouchpadLateness = std::chrono::milliseconds(2);  // of this thread, where the clock waits for it
-constexpr int kFarewells = 5;  // so many times at most it says that the motors shall be off, until it is answered
-constexpr Duration kReportPeriod = std::chrono::milliseconds(16);  // as often as a distance sensor measures
+constexpr Duration kReportPeriod = std::chrono::milliseconds(16);     // as often as a distance sensor measures
 
 }  // namespace
 
@@ -108,7 +107,7 @@ void TouchpadThread::run(const std::stop_token& stop) {
   takeDuties();
   last.active = false;
   last.vibration_duty_percent = {};
-  for (int i = 0; i < kFarewells && !touchpad_->exchange(last, Clock::now()); ++i) continue;
+  for (int i = 0; i < device::kFarewells && !touchpad_->exchange(last, Clock::now()); ++i) continue;
 }
 
 }  // namespace fyd::station

@@ -69,12 +69,13 @@ void Checks::standstill(const pipeline::Inputs& inputs, const pipeline::Outputs&
   for (const double duty : outputs.motors.vibration_duty_percent) {
     expect(duty == 0.0, "a vibration duty outside Active", duty, 0.0);
   }
-  if (now == SafetyState::active && state_ != SafetyState::active) return;  // armed in a pause: from where they stand
   if (!inputs.changes.empty()) return;  // a live parameter of the mixing moves the ticks of the same stretch
+  expect(touched_mm == 0.0, "the touch's motion outside Active in mm", touched_mm, 0.0);
+  if (now == SafetyState::active && state_ != now)
+    return;  // armed in a pause: the references are where the motors stand
   expect(outputs.motors.reference_ticks == motors_.reference_ticks, "a motor's reference outside Active, in ticks",
          outputs.motors.reference_ticks[0], motors_.reference_ticks[0]);
   expect(moved_deg == 0.0, "the stretch's motion outside Active in degrees", moved_deg, 0.0);
-  expect(touched_mm == 0.0, "the touch's motion outside Active in mm", touched_mm, 0.0);
 }
 
 void Checks::transition(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs) {

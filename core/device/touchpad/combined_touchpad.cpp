@@ -7,7 +7,6 @@ constexpr Duration kRetry = std::chrono::milliseconds(200);
 constexpr int kFailuresUntilRest = 3;
 constexpr Duration kReportPeriod = std::chrono::milliseconds(100);
 constexpr Duration kVibrationTimeout = std::chrono::milliseconds(20);
-constexpr int kFarewells = 5;
 
 }  // namespace
 

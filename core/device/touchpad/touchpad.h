@@ -24,6 +24,9 @@ struct TouchpadReadings {
 /// Duties of the motors for one step of the haptic loop, percent.
 using VibrationDuty = std::array<double, control::kMotorCount>;
 
+/// So many times at most a device that is left is told that its motors shall be off, until it answers.
+inline constexpr int kFarewells = 5;
+
 /// Used by one thread at a time (the station's device thread).
 class Touchpad {
  public:

@@ -13,8 +13,8 @@
 // `takeover_silence_s` (a link lost for an instant cannot be taken over). While the old peer's farewell lasts
 // (`closing_s`), its states are still answered.
 //
-// Lost: running, and silent for longer than max(20 ms, 3 · period + jitter), at most `lost_cap_ms`; period is the
-// smoothed time between states, jitter four times its smoothed mean deviation. A negotiated pause is no loss.
+// Lost: running, and without a sound state for longer than max(20 ms, 3 · period + jitter), at most `lost_cap_ms`:
+// damaged ones are answered, and are no sign of life. Period is the smoothed time between states, jitter four times its smoothed mean deviation. A negotiated pause is no loss.
 // When a lost peer's states come back they are answered and the phase is running again; whether anything moves
 // then is not decided here (the safety states latch).
 #pragma once

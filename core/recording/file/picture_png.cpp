@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <opencv2/core.hpp>
 #include <string_view>
+
+#include <opencv2/core.hpp>
 
 #include "core/base/checksum.h"
 #include "core/base/codecs/codecs.h"

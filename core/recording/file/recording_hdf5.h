@@ -1,5 +1,6 @@
 // The HDF5 C library as the recordings use it: handles that close themselves, failures as exceptions that stay inside
-// this module (`guarded` turns them into Results), and one lock, because Debian's library is not thread-safe.
+// this module (`guarded` turns them into Results), and one lock, because not every build of the
+// library is thread-safe, and several calls belong together.
 #pragma once
 
 #include <hdf5.h>

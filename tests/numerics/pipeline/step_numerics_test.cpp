@@ -8,6 +8,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "tests/not_a_number.h"
+#include "tests/unit/pipeline/whole_inputs.h"
 
 namespace fyd::pipeline {
 namespace {
@@ -17,22 +18,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Healthy inputs at a time: everything fresh, a finger in the middle, a robot of 0.6 N/mm.
 Inputs healthy(double time_s) {
   Inputs inputs;
-  inputs.now = instantAt(time_s);
-  sensing::FingerDetection finger;
-  finger.contact = true;
-  finger.area_px = 400;
-  finger.quality = 1;
-  finger.reason = sensing::FingerReason::found;
-  inputs.finger.set(finger, inputs.now);
-  sensing::IrCounts ir;
-  for (int i = 0; i < 3; ++i) (void)ir.push(1500);
-  inputs.ir.set(ir, inputs.now);
-  inputs.bridge.set({.value_mV_per_V = 0.3}, inputs.now);
-  control::MotorFeedback motors;
-  motors.encoder_counts = {228, 3868};  // ±20°
-  inputs.motors.set(motors, inputs.now);
+  makeWhole(inputs, instantAt(time_s));
   inputs.robot.phase = LinkPhase::running;
-  inputs.robot.state.set({.stiffness_N_per_mm = 0.6}, inputs.now);
   (void)inputs.robot.accelerations.push({.taken = inputs.now, .acceleration_g = {0.1, 0.2, 0.3}});
   return inputs;
 }

@@ -2,11 +2,11 @@
 // begins or ends to set them. The rollers stand where the test puts them: they follow nothing.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <gtest/gtest.h>
 
 #include "core/pipeline/pipeline.h"
+#include "tests/unit/pipeline/whole_inputs.h"
 
 namespace fyd::pipeline {
 namespace {
@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 
 constexpr double kFastest_deg_per_ms = 0.18;  // control.rate_limit_deg_per_s is 180 by default
 constexpr double kEncoder_deg = 360.0 / 4096.0;
-constexpr double kTicks_deg = 4200.0 / 90.0;  // of both the boards' ticks [thesis §3]
+constexpr double kTicks_deg = 4200.0 / 90.0;  // of the boards' references [thesis §3]
 
 struct Rollers {
   double stretch_deg = 20.0;
@@ -27,41 +27,22 @@ class Rig {
  public:
   const Outputs& step() {
     now += milliseconds(1);
-    sensing::FingerDetection finger;
-    finger.contact = true;
-    finger.area_px = 400;
-    finger.quality = 1;
-    finger.reason = sensing::FingerReason::found;
-    inputs.now = now;
-    inputs.finger.set(finger, now);
-    inputs.ir.value = {};
-    for (int i = 0; i < 3; ++i) (void)inputs.ir.value.push(1500);
-    inputs.ir.taken = now;
-    ++inputs.ir.count;
-    inputs.bridge.set({.value_mV_per_V = 0.3}, now);
     const auto counts = [](double angle_deg) {
       return static_cast<std::uint16_t>((4096 + std::lround(angle_deg / kEncoder_deg)) % 4096);
     };
-    control::MotorFeedback motors;
-    motors.encoder_counts = {counts(rollers.stretch_deg + rollers.translation_deg),
-                             counts(rollers.translation_deg - rollers.stretch_deg)};
-    inputs.motors.set(motors, now);
-    inputs.robot.state.set({.stiffness_N_per_mm = 0.6}, now);
+    makeWhole(
+        inputs, now,
+        {counts(rollers.stretch_deg + rollers.translation_deg), counts(rollers.translation_deg - rollers.stretch_deg)});
     const Outputs& out = pipeline.step(inputs);
     inputs.commands.clear();
     inputs.robot.commands.clear();
+    // Motors that are off stand where they stand: the first reference is judged by its distance from there.
+    const Rollers asked = out.motors.active ? told(out) : rollers;
     if (out.motors.active) {
-      const Rollers asked = told(out);
-      if (watched) {
-        fastest_deg = std::max(fastest_deg, std::abs(asked.stretch_deg - before.stretch_deg));
-        fastest_deg = std::max(fastest_deg, std::abs(asked.translation_deg - before.translation_deg));
-      }
-      before = asked;
-      watched = true;
-    } else {  // motors that are off stand where they stand: the first reference is as far from there
-      before = rollers;
-      watched = true;
+      fastest_deg = std::max(fastest_deg, std::abs(asked.stretch_deg - before.stretch_deg));
+      fastest_deg = std::max(fastest_deg, std::abs(asked.translation_deg - before.translation_deg));
     }
+    before = asked;
     return out;
   }
   const Outputs& run(int steps) {
@@ -89,7 +70,6 @@ class Rig {
   Rollers rollers;
   Inputs inputs;
   Rollers before;
-  bool watched = false;
   double fastest_deg = 0.0;  // a reference's change in a step, the first one's distance from the rollers with it
   Pipeline pipeline{Parameters{}};
 };

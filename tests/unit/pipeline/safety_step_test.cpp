@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/pipeline/pipeline.h"
+#include "tests/unit/pipeline/whole_inputs.h"
 
 namespace fyd::pipeline {
 namespace {
@@ -22,23 +23,8 @@ class Session {
  public:
   const Outputs& step(Duration elapsed = milliseconds(1)) {
     now += elapsed;
-    sensing::FingerDetection finger;
-    finger.contact = true;
-    finger.area_px = 400;
-    finger.quality = 1;
-    finger.reason = sensing::FingerReason::found;
-    inputs.now = now;
-    inputs.finger.set(finger, now);
-    inputs.ir.value = {};
-    for (int i = 0; i < 3; ++i) (void)inputs.ir.value.push(1500);
-    inputs.ir.taken = now;
-    ++inputs.ir.count;
-    inputs.bridge.set({.value_mV_per_V = 0.3}, now);
-    control::MotorFeedback motors;
-    motors.encoder_counts = {228, 3868};  // ±20°
-    inputs.motors.set(motors, now);
+    makeWhole(inputs, now);
     inputs.robot.phase = LinkPhase::running;
-    inputs.robot.state.set({.stiffness_N_per_mm = 0.6}, now);
     const double phase = 0.7 * static_cast<double>(++steps);
     (void)inputs.robot.accelerations.push({.taken = now, .acceleration_g = {std::sin(phase), std::cos(phase), 0.2}});
     if (change) change(inputs);
