@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <string>
 
 namespace fyd {
 namespace {
 
 TEST(SystemReason, IsWhatTheSystemSays) {
-  for (int error = 1; error < 134; ++error) EXPECT_EQ(systemReason(error).text(), std::strerror(error)) << error;
+  for (int error = 1; error < 134; ++error) {
+    const std::string said = std::strerror(error);  // its own copy: the next call may free the text of an unknown number
+    EXPECT_EQ(systemReason(error).text(), said) << error;
+  }
   EXPECT_EQ(systemReason(std::make_error_code(std::errc::no_such_file_or_directory)).text(), std::strerror(ENOENT));
 }
 
