@@ -13,9 +13,9 @@ import time
 import unittest
 
 PROGRAM = os.environ["FYD"]
-# What programs keep of a user (the catalogue of sessions) stays out of the tester's own folders.
+# What programs keep of a user (the catalogue of sessions, profiles) stays out of the tester's own folders.
 HOME = tempfile.TemporaryDirectory()
-os.environ["XDG_DATA_HOME"] = HOME.name
+os.environ |= {"XDG_DATA_HOME": os.path.join(HOME.name, "data"), "XDG_CONFIG_HOME": os.path.join(HOME.name, "config")}
 DATA = os.path.join(os.environ["FYD_SOURCE_DIR"], "tests", "data")
 
 # Sanitizers' and the coverage preset build none.

@@ -20,7 +20,8 @@ def program(*arguments):
 @pytest.fixture(scope="session", autouse=True)
 def own_home(tmp_path_factory):
     """What the program keeps of a user stays out of the tester's own folders."""
-    os.environ["XDG_DATA_HOME"] = str(tmp_path_factory.mktemp("home"))
+    home = tmp_path_factory.mktemp("home")
+    os.environ |= {"XDG_DATA_HOME": str(home / "data"), "XDG_CONFIG_HOME": str(home / "config")}
 
 
 @pytest.fixture(scope="session")
