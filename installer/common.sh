@@ -1,5 +1,5 @@
 # Shared by run.sh and test.sh; sourced, not run.
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root=$(CDPATH= cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '== %s\n' "$*"; }
 
@@ -29,10 +29,13 @@ show_installing() {
 
 # Installs what of installer/packages.txt is missing. $@: the groups wanted (run, package, test).
 install_packages() {
-  local wanted missing=() package
+  local wanted missing=() package architecture
   wanted=$(awk -v groups=" $* " '!/^#/ && NF == 2 && index(groups, " " $1 " ") {print $2}' "$root/installer/packages.txt")
+  architecture=$(dpkg --print-architecture)
   for package in $wanted; do
-    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' || missing+=("$package")
+    # A line for each architecture that it is known of; a held package is installed, too.
+    dpkg-query -W -f='${Architecture} ${db:Status-Status}\n' "$package" 2>/dev/null |
+      grep -qxE "(all|$architecture) installed" || missing+=("$package")
   done
   [ ${#missing[@]} -eq 0 ] && return 0
   local as_root=()

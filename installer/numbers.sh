@@ -4,7 +4,7 @@
 # The page says how long it took. Run it on a machine that does nothing else; on a busy one the figures are of the others
 # too. --quick only shows that it works: such a page fails the test manual_numbers.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+CDPATH= cd -- "$(dirname -- "$0")/.."
 programs=${FYD_PROGRAMS:-build/release/bin}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

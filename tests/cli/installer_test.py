@@ -1,6 +1,8 @@
 """What a newcomer sees of installer/common.sh while packages are installed and the program is built."""
 import os
 import pathlib
+import re
+import shlex
 import subprocess
 import tempfile
 import unittest
@@ -19,49 +21,51 @@ PRESETS = """{"version": 6,
 
 
 class Installer(unittest.TestCase):
-    def bash(self, commands, **options):
-        script = f"set -euo pipefail; source {SOURCE}/installer/common.sh; {commands}"
-        return subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=120, **options)
+    def setUp(self):
+        self.folder = self.enterContext(tempfile.TemporaryDirectory(suffix=" of a newcomer"))  # a path may have spaces
 
-    def project(self, folder, two="int two() { return 2; }"):
+    def script(self, commands):
+        """A bash that knows common.sh and runs the commands, for the project in self.folder."""
+        common, root = shlex.quote(f"{SOURCE}/installer/common.sh"), shlex.quote(self.folder)
+        return ["bash", "-c", f"set -euo pipefail; source {common}; root={root}; {commands}"]
+
+    def bash(self, commands, **options):
+        return subprocess.run(self.script(commands), capture_output=True, text=True, timeout=120, **options)
+
+    def project(self, two="int two() { return 2; }"):
         files = {"CMakeLists.txt": PROJECT, "CMakePresets.json": PRESETS, "one.cpp": "int one() { return 1; }",
                  "two.cpp": two, "three.cpp": "int three() { return 3; }"}
         for name, text in files.items():
-            (pathlib.Path(folder) / name).write_text(text + "\n")
+            (pathlib.Path(self.folder) / name).write_text(text + "\n")
 
     def test_a_build_shows_how_far_it_is_and_about_how_long_it_takes(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.project(folder)
-            done = self.bash(f"root={folder}; build release")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertRegex(done.stdout, r"\[ 1/4 \] about \d+ (s|min) left")
-            again = self.bash(f"root={folder}; build release")
-            self.assertEqual(again.stdout, "== Building preset release\n")
+        self.project()
+        done = self.bash("build release")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"\[ 1/4 \] about \d+ (s|min) left")
+        again = self.bash("build release")
+        self.assertEqual(again.stdout, "== Building preset release\n")
 
     def test_a_terminal_sees_every_step(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.project(folder)
-            done = subprocess.run(["script", "--quiet", "--return", "--command",
-                                   f"bash -c 'set -euo pipefail; source {SOURCE}/installer/common.sh; root={folder}; build release'",
-                                   "/dev/null"], capture_output=True, text=True, timeout=120)
-            self.assertEqual(done.returncode, 0, done.stdout)
-            for step in range(1, 5):
-                self.assertIn(f"[ {step}/4 ]", done.stdout)
+        self.project()
+        done = subprocess.run(["script", "--quiet", "--return", "--command", shlex.join(self.script("build release")), "/dev/null"],
+                              capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        for step in range(1, 5):
+            self.assertIn(f"[ {step}/4 ]", done.stdout)
 
     def test_a_warning_is_passed_on(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.project(folder, two="int two() { int unused = 0; return 2; }")
-            done = self.bash(f"root={folder}; build release")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("unused variable", done.stdout)
+        self.project(two="int two() { int unused = 0; return 2; }")
+        done = self.bash("build release")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("unused variable", done.stdout)
 
     def test_an_error_ends_the_script_and_is_shown(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.project(folder, two="int two() { return missing; }")
-            done = self.bash(f"root={folder}; build release; echo not reached")
-            self.assertNotEqual(done.returncode, 0)
-            self.assertIn("missing", done.stdout)
-            self.assertNotIn("not reached", done.stdout)
+        self.project(two="int two() { return missing; }")
+        done = self.bash("build release; echo not reached")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("missing", done.stdout)
+        self.assertNotIn("not reached", done.stdout)
 
     def test_the_time_left_follows_from_the_steps_already_made(self):
         lines = "".join(f"[ {step}/400 ] Building {step}.cpp\n" for step in (1, 200))
@@ -75,19 +79,60 @@ class Installer(unittest.TestCase):
         done = self.bash("show_installing", input=status)
         self.assertEqual(done.stdout, "[ 12 % ] Retrieving file 1 of 3\n/x.deb: 0:is damaged\n".replace("0:", ""))
 
+    @staticmethod
+    def architectures():
+        """This machine's and another one."""
+        own = subprocess.run(["dpkg", "--print-architecture"], capture_output=True, text=True, check=True).stdout.strip()
+        return own, "i386" if own != "i386" else "amd64"
+
+    def missing(self, *statuses):
+        """What install_packages would install, of packages that dpkg's list has so. A status: (name, architecture, words)"""
+        folder = pathlib.Path(self.folder)
+        (folder / "installer").mkdir()
+        (folder / "installer/packages.txt").write_text("# a comment\nrun one\nrun two\nrun three\ntest four\n")
+        admin = folder / "dpkg"
+        (admin / "updates").mkdir(parents=True)
+        (admin / "info").mkdir()
+        (admin / "info/format").write_text("1\n")
+        (admin / "arch").write_text("\n".join(self.architectures()) + "\n")
+        (admin / "status").write_text("".join(
+            f"Package: {name}\nStatus: {words}\nArchitecture: {architecture}\n"
+            f"Multi-Arch: {'foreign' if architecture == 'all' else 'same'}\nMaintainer: a <a@example.org>\nVersion: 1\n"
+            "Description: one\n\n" for name, architecture, words in statuses))
+        # Neither root nor sudo: it says what is missing, and installs nothing.
+        done = self.bash("id() { echo 1; }; command() { return 1; }; install_packages run",
+                         env=os.environ | {"DPKG_ADMINDIR": str(admin)})
+        if done.returncode == 0:
+            return []
+        return re.fullmatch(r"These packages are missing .*: (.*)\n", done.stderr)[1].split()
+
+    def test_missing_is_what_is_not_installed_for_this_machine(self):
+        (own, other), installed = self.architectures(), "install ok installed"
+        self.assertEqual(self.missing(("one", other, installed), ("two", own, "deinstall ok config-files"),
+                                      ("four", own, installed)), ["one", "two", "three"])
+
+    def test_held_packages_and_those_of_two_architectures_are_installed(self):
+        (own, other), installed = self.architectures(), "install ok installed"
+        self.assertEqual(self.missing(("one", own, "hold ok installed"), ("two", own, installed), ("two", other, installed),
+                                      ("three", "all", installed)), [])
+
+    def test_an_exported_CDPATH_changes_nothing(self):
+        done = subprocess.run(["bash", "-c", 'source installer/common.sh; printf %s "$root"'], cwd=SOURCE,
+                              env=os.environ | {"CDPATH": "."}, capture_output=True, text=True, timeout=120)
+        self.assertEqual(pathlib.Path(done.stdout).resolve(), SOURCE.resolve())
+
     def test_a_preset_says_what_is_built_whatever_was_left_out_before(self):
-        with tempfile.TemporaryDirectory() as folder:
-            (pathlib.Path(folder) / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(small NONE)\n"
-                                                                 "option(FYD_BUILD_TESTS \"\" ON)\noption(FYD_BUILD_BENCHMARKS \"\" ON)\n")
-            (pathlib.Path(folder) / "CMakePresets.json").write_text((SOURCE / "CMakePresets.json").read_text())
-            for preset, words, tests, benchmarks in (
-                    ("release", ["-DFYD_BUILD_TESTS=OFF", "-DFYD_BUILD_BENCHMARKS=OFF"], "OFF", "OFF"),
-                    ("release", [], "ON", "ON"), ("package", [], "OFF", "OFF"), ("branches", [], "ON", "OFF")):
-                done = subprocess.run(["cmake", "--preset", preset, *words], cwd=folder, capture_output=True, text=True, timeout=120)
-                self.assertEqual(done.returncode, 0, done.stderr)
-                cache = (pathlib.Path(folder) / "build" / preset / "CMakeCache.txt").read_text()
-                self.assertIn(f"FYD_BUILD_TESTS:BOOL={tests}\n", cache)
-                self.assertIn(f"FYD_BUILD_BENCHMARKS:BOOL={benchmarks}\n", cache)
+        (pathlib.Path(self.folder) / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(small NONE)\n"
+                                                                  "option(FYD_BUILD_TESTS \"\" ON)\noption(FYD_BUILD_BENCHMARKS \"\" ON)\n")
+        (pathlib.Path(self.folder) / "CMakePresets.json").write_text((SOURCE / "CMakePresets.json").read_text())
+        for preset, words, tests, benchmarks in (
+                ("release", ["-DFYD_BUILD_TESTS=OFF", "-DFYD_BUILD_BENCHMARKS=OFF"], "OFF", "OFF"),
+                ("release", [], "ON", "ON"), ("package", [], "OFF", "OFF"), ("branches", [], "ON", "OFF")):
+            done = subprocess.run(["cmake", "--preset", preset, *words], cwd=self.folder, capture_output=True, text=True, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            cache = (pathlib.Path(self.folder) / "build" / preset / "CMakeCache.txt").read_text()
+            self.assertIn(f"FYD_BUILD_TESTS:BOOL={tests}\n", cache)
+            self.assertIn(f"FYD_BUILD_BENCHMARKS:BOOL={benchmarks}\n", cache)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 set -euo pipefail
 
 [ $# -eq 1 ] || { echo "clean_root.sh: expected the folder of the packages" >&2; exit 2; }
-packages=$(cd "$1" && pwd)
+packages=$(CDPATH= cd -- "$1" && pwd)
 [ "$(id -u)" -eq 0 ] || { echo "clean_root.sh: needs root, to make a root folder of its own" >&2; exit 1; }
 older=0.0.9
 
