@@ -56,7 +56,7 @@ def argument(left, right):
 
 def read(program, *words):
     """@raise RuntimeError a program that gives no help"""
-    done = subprocess.run([program, *words, "--help"], capture_output=True, text=True, check=False,
+    done = subprocess.run([program, *words, "--help"], capture_output=True, encoding="utf-8", check=False,
                           env=os.environ | {"QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8"})
     text = done.stdout
     usage = re.search(r"^Usage: (.*)$", text, re.MULTILINE)

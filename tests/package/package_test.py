@@ -201,6 +201,14 @@ class Desktop(unittest.TestCase):
         self.assertEqual(len(re.findall("<modalias>", text)),
                          sum(len(each.split("|")) for each in re.findall(r'idProduct\}=="([^"]+)"', rules)))
 
+    def test_every_udev_rule_holds_for_what_is_plugged_in_already(self):
+        rules = ALL["fyd"].find("usr/lib/udev/rules.d/*")[0].read_text()
+        self.assertIn("udevadm trigger", rules)  # its events are "change"
+        actions = re.findall(r'ACTION=="([^"]*)"', rules)
+        self.assertTrue(actions)
+        for each in actions:
+            self.assertIn("change", each.split("|"))
+
     def test_mime_type(self):
         source = ALL["fyd-console"].find("usr/share/mime/packages/*.xml")[0]
         run("xmllint", "--noout", "--nonet", source)
@@ -239,6 +247,15 @@ class ManPages(unittest.TestCase):
         options = set(re.findall(r"(?<!\S)--[a-z-]+(?= |$)", run(fyd, "session", "list", "--help"), re.MULTILINE))
         self.assertGreater(len(options), 10)
         self.assertEqual({option for option in options if option not in text}, set())
+
+
+    def test_the_help_is_read_the_same_in_every_locale(self):
+        script = "import sys, command_lines; print(ascii(command_lines.read(sys.argv[1], 'station')))"
+        said = [run("/usr/bin/python3", "-c", script, ALL["fyd"].root / PROGRAMS["fyd"], cwd=SOURCES / "installer/package",
+                    env=os.environ | {"LC_ALL": locale, "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0", "PYTHONDONTWRITEBYTECODE": "1"})
+                for locale in ("C.UTF-8", "C")]
+        self.assertIn("\\u", said[0])  # there is something that ASCII has not
+        self.assertEqual(said[1], said[0])
 
 
 class Completion(unittest.TestCase):
