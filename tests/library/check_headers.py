@@ -6,6 +6,7 @@ import concurrent.futures
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -66,8 +67,8 @@ def check(listed):
         found.append(f"{len(installed)} headers are installed, {len(wanted)} are listed: {set(installed) ^ set(wanted)}")
     found += [why for name in installed if (why := stability_problem(name, (folder / name).read_text(encoding="utf-8")))]
     environment = os.environ | {"PKG_CONFIG_PATH": str(prefix / os.environ["LIBDIR"] / "pkgconfig")}
-    flags = subprocess.run(["pkg-config", "--cflags", "fyd"], env=environment, check=True, capture_output=True,
-                           text=True).stdout.split()
+    flags = shlex.split(subprocess.run(["pkg-config", "--cflags", "fyd"], env=environment, check=True, capture_output=True,
+                                       text=True).stdout)
     alone = [name for name in installed if not is_list((folder / name).read_text(encoding="utf-8"))]
     compiler = os.environ["CXX"]
     sets = {}

@@ -6,6 +6,7 @@ What the replay read of the recording is compared with what h5py reads.
 """
 import os
 import pathlib
+import shlex
 import shutil
 import subprocess
 import sys
@@ -56,7 +57,7 @@ class Consumer(unittest.TestCase):
 
     def test_through_pkg_config(self):
         environment = os.environ | {"PKG_CONFIG_PATH": str(LIBRARY / "pkgconfig")}
-        flags = run("pkg-config", "--cflags", "--libs", "fyd", env=environment).split()
+        flags = shlex.split(run("pkg-config", "--cflags", "--libs", "fyd", env=environment))
         run(os.environ["CXX"], SOURCES / "texture.cpp", "-o", BUILD / "texture_pkg_config", *flags)
         run(BUILD / "texture_pkg_config", env=os.environ | {"LD_LIBRARY_PATH": str(LIBRARY)})
 
