@@ -143,3 +143,19 @@ def test_errors_are_python_s(name):
     error = getattr(fyd, name)
     assert issubclass(error, fyd.Error) and issubclass(error, Exception) and error.__module__ == "fyd"
     assert issubclass(fyd.InvalidValue, ValueError)
+
+
+def test_numbers_that_stand_for_words_are_those_of_the_headers():
+    """Each is listed in its header and once more for Python, but for those that have one list for both (*_list.h)."""
+    headers = "\n".join(file.read_text(encoding="utf-8") for file in sorted((ROOT / "core").rglob("*.h")))
+    looked = []
+    for name, value in vars(_fyd).items():
+        if not inspect.isclass(value) or not hasattr(value, "__members__"):
+            continue
+        body = re.search(rf"enum class {name}\b[^{{;]*\{{(.*?)\}};", headers, re.DOTALL)[1]
+        if "#include" in body:
+            continue
+        words = re.findall(r"^ *(\w+)", re.sub(r"//.*", "", body).replace(",", "\n"), re.MULTILINE)
+        assert words == [each for each, _ in sorted(value.__members__.items(), key=lambda item: int(item[1]))], name
+        looked.append(name)
+    assert len(looked) >= 6
