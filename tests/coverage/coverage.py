@@ -11,6 +11,10 @@ Branches that only an exception takes do not count (gcovr --exclude-throw-branch
 (gcov.py beside this file), nor those that the compiler made of a closing brace. A branch that no test takes stands in
 unreached.toml with the reason; one that does not stand there, one that stands there as open (a test could take it, and
 none does), and a row there that fits none any more are errors. So is a line rate below the limit.
+
+    python3 tests/coverage/coverage.py --rows
+
+looks, without any build, whether the line of each row there stands in its file, as often as the row says.
 """
 
 import argparse
@@ -45,15 +49,33 @@ def counted(build):
     return json.loads(out.read_text())["files"]
 
 
+def misplaced(rows):
+    """What is wrong with where the rows say a line stands."""
+    out = []
+    for row in rows:
+        file, times = SOURCE / row["file"], row.get("times", 1)
+        found = sum(row["line"] in line for line in file.read_text().splitlines()) if file.exists() else 0
+        if found != times:
+            out.append(f"unreached.toml: {row['file']}: '{row['line']}' stands in {found} lines, expected {times}")
+    return out
+
+
 def main():
     arguments = argparse.ArgumentParser(description="How much of the core its tests run")
-    arguments.add_argument("build", type=pathlib.Path)
+    arguments.add_argument("build", type=pathlib.Path, nargs="?")
     arguments.add_argument("--list", metavar="PART", help="the unreached branches of a part, as rows for unreached.toml")
+    arguments.add_argument("--rows", action="store_true", help="only whether each row of unreached.toml still has its line")
     chosen = arguments.parse_args()
+    excused = tomllib.loads((pathlib.Path(__file__).parent / "unreached.toml").read_text()).get("unreached", [])
+    if chosen.rows:
+        wrong = misplaced(excused)
+        print("\n".join(wrong) or f"{len(excused)} rows, each with its line")
+        return 1 if wrong or not excused else 0
+    if not chosen.build:
+        arguments.error("a build folder of the preset coverage or branches was expected")
     files = counted(chosen.build.resolve())
     if not files:
         sys.exit(f"coverage.py: {chosen.build}: nothing was counted; expected the preset coverage, built and run")
-    excused = tomllib.loads((pathlib.Path(__file__).parent / "unreached.toml").read_text()).get("unreached", [])
     used = [False] * len(excused)
     wrong = []
 

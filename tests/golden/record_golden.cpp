@@ -4,7 +4,6 @@
 //   record_golden FOLDER SCENE    writes FOLDER/SCENE.h5 and the profile FOLDER/SCENE.toml
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <functional>
@@ -17,6 +16,7 @@
 #include "core/protocol/link/link_key_file.h"
 #include "core/sim/robot/robot_arm.h"
 #include "core/station/station.h"
+#include "tests/child_process.h"
 
 namespace {
 
@@ -204,16 +204,13 @@ std::string record(const std::string& folder, const std::string& name, const Sce
 }
 
 void recordAndDie(const std::string& folder, const std::string& name, const Scene& scene) {
-  const pid_t child = ::fork();
-  if (child == 0) {
+  const ChildProcess child([&] {
     Scene longer = scene;
     longer.duration_s = 60.0;
     (void)record(folder, name, longer);
-    ::_exit(1);
-  }
+    return 1;
+  });
   std::this_thread::sleep_for(std::chrono::milliseconds(3200));
-  ::kill(child, SIGKILL);
-  ::waitpid(child, nullptr, 0);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Killed recorders, power cuts, write errors: committed data are never lost or wrong.
 // FYD_CRASHES=200 and FYD_POWER_CUTS=500 set the full counts; without them there are fewer.
 #include <sys/resource.h>
-#include <sys/wait.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -18,6 +17,7 @@
 #include "core/recording/writer/picture_history.h"
 #include "core/recording/writer/recording_writer.h"
 #include "remembering_disk.h"
+#include "tests/child_process.h"
 #include "tests/unit/recording/recording_damage.h"
 #include "tests/unit/recording/recording_samples.h"
 
@@ -113,11 +113,10 @@ TEST(CrashRecording, AKilledRecorderLosesNothingItAcknowledged) {
     const Folder folder;
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
-    const pid_t child = ::fork();
-    if (child == 0) {
+    ChildProcess child([&]() -> int {
       ::close(ends[0]);
       recordForEver(folder.file(), ends[1]);
-    }
+    });
     ::close(ends[1]);
     std::uint64_t acknowledged = 0;
     std::uint64_t word = 0;
@@ -128,8 +127,7 @@ TEST(CrashRecording, AKilledRecorderLosesNothingItAcknowledged) {
       EXPECT_EQ((*growing)->info().wholeness, Wholeness::growing);
       EXPECT_FALSE(recover(folder.file()));
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 120'000));
-      ASSERT_EQ(::kill(child, SIGKILL), 0);
-      ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+      ASSERT_EQ(child.kill(), SIGKILL);  // it had not ended by itself
       while (::read(ends[0], &word, sizeof word) == static_cast<ssize_t>(sizeof word)) acknowledged = word;
       ::close(ends[0]);
       const auto news = (*growing)->refresh();  // a reader that was there sees the recorder's end too
@@ -366,10 +364,7 @@ TEST(CrashRecording, ASyncThatFailsIsAnError) {
 /// Runs `work` in a process of its own, whose limits may be anything. @return its exit code
 template <class Work>
 int inOwnProcess(Work&& work) {
-  const pid_t child = ::fork();
-  if (child == 0) ::_exit(work());
-  int status = 0;
-  ::waitpid(child, &status, 0);
+  const int status = ChildProcess(std::forward<Work>(work)).wait();
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + status;
 }
 

@@ -1,7 +1,6 @@
 // A whole recorder at the haptic loop's rate, killed at a random moment: how many of the pushed steps are lost.
 // FYD_CRASHES=200 sets the full count; without it there are fewer.
 #include <sys/mman.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <atomic>
@@ -16,6 +15,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/recording/reader/recording.h"
 #include "core/recording/writer/recorder.h"
+#include "tests/child_process.h"
 #include "tests/unit/recording/recording_samples.h"
 #include "tests/wait.h"
 
@@ -59,15 +59,13 @@ TEST(KilledRecorder, LosesAFractionOfASecond) {
   std::vector<double> lost_s;
   for (std::size_t i = 0; i < crashes; ++i) {
     const samples::Folder folder;
-    const pid_t child = ::fork();
-    if (child == 0) recordForEver(folder.file(), newest_ns);
+    ChildProcess child([&]() -> int { recordForEver(folder.file(), newest_ns); });
     ASSERT_TRUE(comesTrue("pictures and steps that are committed", [&] {
       const auto growing = Recording::open(folder.file());
       return growing && (*growing)->info().frames > 0U && (*growing)->info().committed_samples >= 500U;
     }));
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 500'000));
-    ASSERT_EQ(::kill(child, SIGKILL), 0);
-    ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+    ASSERT_EQ(child.kill(), SIGKILL);  // it had not ended by itself
     const auto recording = Recording::open(folder.file());
     ASSERT_TRUE(recording) << recording.error().text();
     const RecordingInfo& info = (*recording)->info();

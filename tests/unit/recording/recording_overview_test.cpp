@@ -1,11 +1,8 @@
 // Overviews lose no spike, times find their rows, and a recording that grows in another process can be followed.
-#include <sys/wait.h>
-
 #include <unistd.h>
 
 #include <array>
 #include <chrono>
-#include <csignal>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +10,7 @@
 #include "core/recording/file/recording_place.h"
 #include "core/recording/writer/recording_writer.h"
 #include "recording_samples.h"
+#include "tests/child_process.h"
 #include "tests/wait.h"
 
 namespace fyd::recording {
@@ -153,18 +151,17 @@ TEST(RecordingOverview, AGrowingRecordingIsFollowedFromAnotherProcess) {
   const Folder folder;
   std::array<int, 2> seen_half{};
   ASSERT_EQ(::pipe(seen_half.data()), 0);
-  const pid_t child = ::fork();
-  if (child == 0) {
+  ChildProcess child([&] {
     ::close(seen_half[1]);
     auto writer = createRecording(folder.file(), header(), std::make_shared<QuickDisk>());
-    if (!writer) ::_exit(1);
+    if (!writer) return 1;
     for (std::uint64_t row = 0; row < 20'000; ++row) {
       char word = 0;  // half of it is looked at before the rest is written, however late the reader is
-      if (row == 10'000 && ::read(seen_half[0], &word, 1) != 1) ::_exit(4);
-      if (!(*writer)->append(plainStep(row))) ::_exit(2);
+      if (row == 10'000 && ::read(seen_half[0], &word, 1) != 1) return 4;
+      if (!(*writer)->append(plainStep(row))) return 2;
     }
-    ::_exit((*writer)->close() ? 0 : 3);
-  }
+    return (*writer)->close() ? 0 : 3;
+  });
   std::unique_ptr<Recording> recording;
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!recording && std::chrono::steady_clock::now() < deadline)
@@ -190,9 +187,7 @@ TEST(RecordingOverview, AGrowingRecordingIsFollowedFromAnotherProcess) {
   }
   ::close(seen_half[1]);
   ::close(seen_half[0]);
-  int status = -1;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_EQ(status, 0);
+  EXPECT_EQ(child.wait(), 0);
   EXPECT_EQ(recording->info().wholeness, Wholeness::whole);
   EXPECT_EQ(recording->info().committed_samples, 20'000U);
   EXPECT_GT(looks, 1U);
