@@ -42,7 +42,7 @@ struct Figures {
   std::uint64_t recordings = 0;         ///< closed, whole and verified
   std::uint64_t failed_recordings = 0;  ///< ended by the disk, recovered and verified
   std::uint64_t recorded_steps = 0;
-  std::map<std::string, std::uint64_t> faults;  ///< begun, by their names
+  std::map<std::string, std::uint64_t> faults;  ///< begun, by their names: "touchpad silence"; each there is, also at 0
   std::map<std::string, std::uint64_t> held;    ///< times, by the cause
 };
 

@@ -1,5 +1,6 @@
 #include "tests/soak/soak_disk.h"
 
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <thread>
@@ -18,6 +19,17 @@ using recording::RecorderState;
 
 constexpr std::uint64_t kWaitEvery = 2000;  // steps: the recorder's ring holds more
 constexpr std::chrono::seconds kPatience{120};
+
+/// What goes wrong with it; without an error it is slow.
+struct Trouble {
+  const char* name;
+  int error;
+  bool only_syncs;
+};
+constexpr std::array<Trouble, 4> kTroubles = {{{"disk full", ENOSPC, false},
+                                               {"disk write error", EIO, false},
+                                               {"disk sync error", EIO, true},
+                                               {"disk slow", 0, false}}};
 
 recording::RecorderOptions options() {
   recording::RecorderOptions out;
@@ -92,23 +104,22 @@ void SoakDisk::offer(const cv::Mat& picture, const sensing::FingerDetection& fin
 }
 
 void SoakDisk::act(Chance& chance) {
-  const auto trouble = [&](int error, bool syncs, const char* name) {
-    ++figures_.faults[std::string("disk ") + name];
-    disk_->only_syncs = syncs;
-    disk_->trouble = error;
-  };
   if (file_.empty()) return begin();
-  switch (chance.below(7)) {
-    case 0: trouble(ENOSPC, false, "full"); break;
-    case 1: trouble(EIO, false, "write error"); break;
-    case 2: trouble(EIO, true, "sync error"); break;
-    case 3:
-      ++figures_.faults["disk slow"];
-      disk_->slow_ms = 30;
-      break;
-    case 4: (void)recorder_.note(recording::NoteKind::note, "soak"); break;
-    default: end(); break;
+  const auto what = static_cast<std::size_t>(chance.below(7));
+  if (what > kTroubles.size()) return end();
+  if (what == kTroubles.size()) return void(recorder_.note(recording::NoteKind::note, "soak"));
+  const Trouble& trouble = kTroubles[what];
+  ++figures_.faults[trouble.name];
+  if (trouble.error == 0) {
+    disk_->slow_ms = 30;
+  } else {
+    disk_->only_syncs = trouble.only_syncs;
+    disk_->trouble = trouble.error;
   }
+}
+
+void SoakDisk::nameFaults(Figures& figures) {
+  for (const Trouble& trouble : kTroubles) figures.faults[trouble.name];
 }
 
 void SoakDisk::begin() {

@@ -31,6 +31,8 @@ class SoakDisk {
   void offer(const cv::Mat& picture, const sensing::FingerDetection& finger, Instant taken, std::uint64_t number);
   /// Begins, notes, troubles or ends, by chance.
   void act(Chance& chance);
+  /// Every fault that it may begin, with a count of 0.
+  static void nameFaults(Figures& figures);
   /// Ends and checks what is being recorded.
   void finish();
 

@@ -24,6 +24,16 @@ const protocol::Endpoint kRobot = address(1);
 const protocol::Endpoint kTouchpad = address(100);
 const protocol::Endpoint kStranger = address(66);
 
+enum class Fault : std::uint8_t { cut, storm, damage, restart, stiffness, command, reference, stranger };
+constexpr std::array<const char*, 8> kFaultNames = {
+    "network cut",          "network storm", "datagrams damaged",          "restart",
+    "impossible stiffness", "command",       "motor reference of its own", "stranger's datagrams"};
+
+std::string nameOf(Fault fault, Protocol protocol) {
+  return fmt::format("robot {}, {}", kFaultNames[static_cast<std::size_t>(fault)],
+                     protocol == Protocol::link ? "FYD Link" : "classic");
+}
+
 }  // namespace
 
 SoakRobot::SoakRobot(Protocol protocol, int seed)
@@ -148,56 +158,43 @@ void SoakRobot::advance(Instant now, const pipeline::Outputs& outputs, pipeline:
 
 std::optional<Deadline> SoakRobot::disturb(Chance& chance, Instant now, Figures& figures) {
   if (protocol_ == Protocol::none) return std::nullopt;
-  const std::string over = protocol_ == Protocol::link ? ", FYD Link" : ", classic";
-  const auto count = [&](const char* name) { ++figures.faults["robot " + std::string(name) + over]; };
   const Duration lasts = milliseconds(20 + chance.below(1500));
   const bool was_calm = calm_;
   const auto until_then = [&] {
     calm_ = false;
     calm_again_ = std::max(calm_again_, now + lasts);
   };
-  switch (chance.below(8)) {
-    case 0: {
-      count("network cut");
+  const auto fault = static_cast<Fault>(chance.below(kFaultNames.size()));
+  if (fault == Fault::storm && !was_calm) return std::nullopt;  // a cut stays one until it ends: its deadline says so
+  ++figures.faults[nameOf(fault, protocol_)];
+  switch (fault) {
+    case Fault::cut:
       weather(kCalmDelay_ms, 0.0, 100.0);
       until_then();
       if (!was_calm || touchpad_->phase() != pipeline::LinkPhase::running) return std::nullopt;
       return Deadline{.name = "robot network cut", .until = now + kLostAfter, .ends = now + lasts, .of_robot = true};
-    }
-    case 1:
-      if (!was_calm) break;  // a cut stays one until it ends: its deadline says so
-      count("network storm");
+    case Fault::storm:
       weather(chance.between(1.0, 60.0), chance.between(0.0, 30.0), chance.between(1.0, 60.0));
       until_then();
       break;
-    case 2:
-      count("datagrams damaged");
+    case Fault::damage:
       damaged_share_ = chance.between(0.01, 0.5);
       until_then();
       break;
-    case 3:
-      count("restart");
-      startRobot();
-      break;
-    case 4: {
+    case Fault::restart: startRobot(); break;
+    case Fault::stiffness: {
       constexpr std::array<double, 4> kWrong = {std::numeric_limits<double>::quiet_NaN(),
                                                 std::numeric_limits<double>::infinity(), -1.0, 1e9};
-      count("impossible stiffness");
       stiffness_N_per_mm_ = kWrong[static_cast<std::size_t>(chance.below(4))];
       until_then();
       break;
     }
-    case 5:
-      count("command");
-      (void)robot_->command(static_cast<pipeline::RobotCommand>(1 + chance.below(11)));
-      break;
-    case 6:
-      count("motor reference of its own");
+    case Fault::command: (void)robot_->command(static_cast<pipeline::RobotCommand>(1 + chance.below(11))); break;
+    case Fault::reference:
       (void)robot_->command(pipeline::RobotCommand::motor_reference_on);
       motor_reference_ = {.first_ticks = chance.between(-1e5, 1e5), .second_ticks = chance.between(-1e5, 1e5)};
       break;
-    default:
-      count("stranger's datagrams");
+    case Fault::stranger:
       for (int i = 0; i < 50; ++i) {
         Flight flight{.arrival = now + milliseconds(chance.below(500)),
                       .number = number_++,
@@ -211,6 +208,12 @@ std::optional<Deadline> SoakRobot::disturb(Chance& chance, Instant now, Figures&
       break;
   }
   return std::nullopt;
+}
+
+void SoakRobot::nameFaults(Figures& figures) {
+  for (std::size_t i = 0; i < kFaultNames.size(); ++i) {
+    for (const Protocol over : {Protocol::classic, Protocol::link}) figures.faults[nameOf(static_cast<Fault>(i), over)];
+  }
 }
 
 }  // namespace fyd::soak

@@ -29,6 +29,8 @@ class SoakRobot {
 
   /// Begins a fault of chance. @return by when Active must have ended, where it must
   std::optional<Deadline> disturb(Chance& chance, Instant now, Figures& figures);
+  /// Every fault that it may begin, with a count of 0.
+  static void nameFaults(Figures& figures);
 
   /// What the arm is told, after its limits.
   [[nodiscard]] const Vec3& commanded_mm() const { return arm_->commanded_mm(); }

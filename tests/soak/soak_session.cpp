@@ -21,6 +21,7 @@ constexpr double kBetweenFaults_ms = 1200.0;
 // The touches under way, a prediction that ends (150 ms without a touch), and its way to rest.
 constexpr Duration kArmRests = milliseconds(2500);
 constexpr double kStill_mm = 0.01;
+constexpr const char* kLateLoop = "loop late";
 
 const sim::FingerPath& fingerOf(Chance& chance) {
   static const std::vector<sim::FingerPath> kFingers = [] {
@@ -150,7 +151,7 @@ void runSession(std::uint64_t number, Chance& chance, const std::string& folder,
         case 3: deadlines.add(robot.disturb(chance, now, figures)); break;
         case 4: disk.act(chance); break;
         default:
-          ++figures.faults["loop late"];
+          ++figures.faults[kLateLoop];
           if (chance.once(2)) {
             now += milliseconds(21 + chance.below(80));
           } else {
@@ -195,6 +196,13 @@ void runSession(std::uint64_t number, Chance& chance, const std::string& folder,
   }
   disk.finish();
   ++figures.sessions;
+}
+
+void nameFaults(Figures& figures) {
+  SoakTouchpad::nameFaults(figures);
+  SoakRobot::nameFaults(figures);
+  SoakDisk::nameFaults(figures);
+  figures.faults[kLateLoop];
 }
 
 }  // namespace fyd::soak

@@ -9,4 +9,7 @@ namespace fyd::soak {
 /// hold
 void runSession(std::uint64_t number, Chance& chance, const std::string& folder, Figures& figures);
 
+/// Every fault that a session may begin, with a count of 0.
+void nameFaults(Figures& figures);
+
 }  // namespace fyd::soak

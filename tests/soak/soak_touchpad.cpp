@@ -48,6 +48,12 @@ std::string nameOf(TouchpadFault fault) {
   return std::string(sim::kTouchpadFaultNames[static_cast<std::size_t>(fault)]);
 }
 
+std::string touchpadName(TouchpadFault fault, bool own_board) {
+  return "touchpad " + nameOf(fault) + (own_board ? ", own motor board" : "");
+}
+
+std::string cameraName(TouchpadFault fault) { return "camera " + nameOf(fault); }
+
 device::DeviceParameters deviceParameters() {
   device::DeviceParameters out;
   out.response_timeout_ms = kTimeout_ms;
@@ -171,7 +177,7 @@ std::optional<Deadline> SoakTouchpad::disturb(Chance& chance, Instant now, Figur
   const Kind kind = kKinds[static_cast<std::size_t>(chance.below(kKinds.size()))];
   const double seconds = kind.fault == TouchpadFault::late_reply ? 0.0 : chance.between(0.02, 1.5);
   faults_.add(kind.fault, now, seconds);
-  ++figures.faults["touchpad " + nameOf(kind.fault) + (own_board_ ? ", own motor board" : "")];
+  ++figures.faults[touchpadName(kind.fault, own_board_)];
   const bool alone = now > fault_ends_ + milliseconds(1000);
   fault_ends_ = std::max(fault_ends_, now + fromSeconds(seconds));
   const int ms = own_board_ ? kind.board_ms : kind.modbus_ms;
@@ -187,13 +193,20 @@ std::optional<Deadline> SoakTouchpad::disturbCamera(Chance& chance, Instant now,
   const Kind kind = kCameraKinds[static_cast<std::size_t>(chance.below(kCameraKinds.size()))];
   const double seconds = chance.between(0.02, 1.5);
   camera_faults_.add(kind.fault, now, seconds);
-  ++figures.faults["camera " + nameOf(kind.fault)];
+  ++figures.faults[cameraName(kind.fault)];
   const bool alone = now > camera_fault_ends_ + milliseconds(2000);
   camera_fault_ends_ = std::max(camera_fault_ends_, now + fromSeconds(seconds));
-  return Deadline{.name = "camera " + nameOf(kind.fault),
+  return Deadline{.name = cameraName(kind.fault),
                   .until = now + milliseconds(kind.modbus_ms),
                   .ends = now + fromSeconds(seconds),
                   .alone = alone};
+}
+
+void SoakTouchpad::nameFaults(Figures& figures) {
+  for (const Kind& kind : kKinds) {
+    for (const bool own_board : {false, true}) figures.faults[touchpadName(kind.fault, own_board)];
+  }
+  for (const Kind& kind : kCameraKinds) figures.faults[cameraName(kind.fault)];
 }
 
 }  // namespace fyd::soak

@@ -35,6 +35,8 @@ class SoakTouchpad {
   std::optional<Deadline> disturb(Chance& chance, Instant now, Figures& figures);
   /// Of the camera alone.
   std::optional<Deadline> disturbCamera(Chance& chance, Instant now, Figures& figures);
+  /// Every fault that it may begin, with a count of 0.
+  static void nameFaults(Figures& figures);
 
   [[nodiscard]] const cv::Mat& picture() const { return picture_; }
   [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
