@@ -119,9 +119,10 @@ double excitationAngle_deg(double time_s, const ControlParameters& p) {
   // Shares of the travel, 2 s each: steps of different size both ways, so that dead time and lag can be told apart.
   constexpr std::array kStairs = {0.25, 0.75, 0.40, 0.65, 0.30, 0.55};
   constexpr double kStair_s = kExcitation_s / static_cast<double>(kStairs.size());
-  const StaticLaw law(p);
-  const double low = std::max(p.travel_minimum_deg, law.minimumAngle_deg());
-  const double span = std::max(0.0, std::min(p.travel_maximum_deg, law.maximumAngle_deg()) - low);
+  StaticLaw law(p);
+  law.limitTravel(p.travel_minimum_deg, p.travel_maximum_deg);
+  const double low = law.minimumAngle_deg();
+  const double span = law.maximumAngle_deg() - low;
   if (!(time_s >= 0) || !std::isfinite(time_s)) return low + kStairs[0] * span;
   const double within = std::fmod(time_s, kExcitation_s);
   const auto stair = std::min(static_cast<std::size_t>(within / kStair_s), kStairs.size() - 1);

@@ -63,14 +63,16 @@ void StaticLaw::takeWholeDomain() {
   if (kind_ == StaticLawKind::interpolated) {
     minimum_k_ = k_[0];
     maximum_k_ = k_[count_ - 1];
-    minimum_deg_ = theta_[0];
-    maximum_deg_ = theta_[count_ - 1];
+    whole_minimum_deg_ = theta_[0];
+    whole_maximum_deg_ = theta_[count_ - 1];
   } else {
     minimum_k_ = kPrintedMinimum_N_per_mm;
     maximum_k_ = kPrintedMaximum_N_per_mm;
-    minimum_deg_ = angleAt(minimum_k_);
-    maximum_deg_ = angleAt(maximum_k_);
+    whole_minimum_deg_ = angleAt(minimum_k_);
+    whole_maximum_deg_ = angleAt(maximum_k_);
   }
+  minimum_deg_ = whole_minimum_deg_;
+  maximum_deg_ = whole_maximum_deg_;
 }
 
 void StaticLaw::limitTravel(double minimum_deg, double maximum_deg) {
@@ -79,8 +81,9 @@ void StaticLaw::limitTravel(double minimum_deg, double maximum_deg) {
   const double low = std::clamp(minimum_deg, minimum_deg_, maximum_deg_);
   const double high = std::clamp(maximum_deg, minimum_deg_, maximum_deg_);
   const double low_k = stiffnessAt(low), high_k = stiffnessAt(high);
-  minimum_deg_ = low;
-  maximum_deg_ = high;
+  // Where the law does not reach into the travel, both are its nearest end, and the travel's own end takes its place.
+  minimum_deg_ = std::clamp(low, minimum_deg, maximum_deg);
+  maximum_deg_ = std::clamp(high, minimum_deg, maximum_deg);
   minimum_k_ = low_k;
   maximum_k_ = high_k;
 }
@@ -98,7 +101,9 @@ LawValue StaticLaw::stiffness_N_per_mm(double angle) const {
 }
 
 double StaticLaw::slope_N_per_mm_deg(double angle) const {
-  const double inside = std::isnan(angle) ? minimum_deg_ : std::clamp(angle, minimum_deg_, maximum_deg_);
+  const double limited = std::isnan(angle) ? minimum_deg_ : std::clamp(angle, minimum_deg_, maximum_deg_);
+  const double inside =
+      std::clamp(limited, whole_minimum_deg_, whole_maximum_deg_);  // the travel may lie beside the law
   if (kind_ == StaticLawKind::thesis) return 1.0 / (2 * kA * stiffnessAt(inside) + kB);
   if (kind_ == StaticLawKind::thesis_linear) return 1.0 / kM;
   const std::size_t i = segmentOf(theta_, inside);

@@ -35,7 +35,8 @@ class FYD_API StaticLaw {
   /// @return false, and nothing changed, when `checkControlParameters` would refuse the points
   bool configure(StaticLawKind kind, const ParameterList& angle_deg, const ParameterList& stiffness_N_per_mm);
 
-  /// Narrows the domain to these angles (motor travel), as far as the law reaches.
+  /// Narrows the domain to these angles (motor travel), as far as the law reaches. Where it does not reach at all, the
+  /// domain is one point: the travel's end that is nearest to the law, with the stiffness of the law's nearest end.
   void limitTravel(double minimum_deg, double maximum_deg);
 
   [[nodiscard]] LawValue angle_deg(double stiffness_N_per_mm) const;
@@ -62,6 +63,7 @@ class FYD_API StaticLaw {
   std::array<double, kParameterListCapacity> tangent_{};  // dk/dθ at the points
   double minimum_k_ = 0.0, maximum_k_ = 0.0;              // domain after limitTravel
   double minimum_deg_ = 0.0, maximum_deg_ = 0.0;
+  double whole_minimum_deg_ = 0.0, whole_maximum_deg_ = 0.0;  // domain of the law itself
 };
 
 }  // namespace fyd::control

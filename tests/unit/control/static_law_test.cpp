@@ -115,6 +115,25 @@ TEST(StaticLaw, TravelNarrowsTheDomainAndWidensItAgain) {
   EXPECT_NEAR(law.angle_deg(0.9).value, 158.0898, 1e-9) << "an empty travel is ignored";
 }
 
+TEST(StaticLaw, ATravelBesideTheLawIsOnePointOfTheTravel) {
+  struct Case {
+    double from_deg, to_deg, angle_deg, law_deg;
+  };
+  for (const auto kind : {StaticLawKind::interpolated, StaticLawKind::thesis, StaticLawKind::thesis_linear}) {
+    const StaticLaw whole = lawOf(kind);
+    for (const Case& c : {Case{-180, -60, -60, whole.minimumAngle_deg()}, {170, 180, 170, whole.maximumAngle_deg()}}) {
+      StaticLaw law = lawOf(kind);
+      law.limitTravel(c.from_deg, c.to_deg);
+      const double k = whole.stiffness_N_per_mm(c.law_deg).value;
+      for (const double asked : {0.01, k, 5.0, kNaN}) EXPECT_EQ(law.angle_deg(asked).value, c.angle_deg) << asked;
+      for (const double asked : {-200.0, c.angle_deg, c.law_deg, 200.0, kNaN}) {
+        EXPECT_NEAR(law.stiffness_N_per_mm(asked).value, k, 1e-12) << asked;
+        EXPECT_EQ(law.slope_N_per_mm_deg(asked), whole.slope_N_per_mm_deg(c.law_deg)) << asked;
+      }
+    }
+  }
+}
+
 TEST(StaticLaw, TwoPointsAreAStraightLine) {
   StaticLaw law;
   ASSERT_TRUE(law.configure(StaticLawKind::interpolated, {{10, 30}, 2}, {{0.4, 0.8}, 2}));

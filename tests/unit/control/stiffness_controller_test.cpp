@@ -96,22 +96,29 @@ TEST(StiffnessController, ComesBackFromAnUnreachableTargetWithoutUnwinding) {
 }
 
 TEST(StiffnessController, ReferenceKeepsRateAndTravel) {
-  ControlParameters parameters;
-  parameters.rate_limit_deg_per_s = 50;
-  parameters.travel_minimum_deg = 30;
-  parameters.travel_maximum_deg = 80;
-  StiffnessController controller(parameters);
-  BenchPlant plant;
-  plant.angle_deg = 40;
-  double last = 40;
-  for (int i = 0; i < 4000; ++i) {
-    const double target = i % 1000 < 500 ? 5.0 : 0.01;
-    const double reference = controller.step(plant.read(target)).stretch_angle_deg;
-    EXPECT_LE(std::abs(reference - last), 0.05 + 1e-9);
-    EXPECT_GE(reference, 30);
-    EXPECT_LE(reference, 80);
-    last = reference;
-    plant.move(reference);
+  struct Travel {
+    double from_deg, to_deg;
+  };
+  for (const Travel travel : {Travel{30, 80}, {0, 15}, {100, 120}}) {  // the law's angles are 20 to 90°
+    ControlParameters parameters;
+    parameters.rate_limit_deg_per_s = 50;
+    parameters.travel_minimum_deg = travel.from_deg;
+    parameters.travel_maximum_deg = travel.to_deg;
+    StiffnessController controller(parameters);
+    BenchPlant plant;
+    plant.angle_deg = std::clamp(40.0, travel.from_deg, travel.to_deg);
+    double last = plant.angle_deg;
+    for (int i = 0; i < 4000; ++i) {
+      const double target = i % 1000 < 500 ? 5.0 : 0.01;
+      const ControlOutput output = controller.step(plant.read(target));
+      EXPECT_LE(std::abs(output.stretch_angle_deg - last), 0.05 + 1e-9);
+      ASSERT_GE(output.stretch_angle_deg, travel.from_deg);
+      ASSERT_LE(output.stretch_angle_deg, travel.to_deg);
+      EXPECT_TRUE(output.target_clamped);
+      EXPECT_TRUE(std::isfinite(output.reachable_target_N_per_mm) && std::isfinite(output.correction));
+      last = output.stretch_angle_deg;
+      plant.move(last);
+    }
   }
 }
 
