@@ -84,7 +84,8 @@ Fit search(std::span<const Point> points) {
   return best;
 }
 
-/// Integral of the residual's autocorrelation, up to where it first falls below 5 %.
+/// Integral of the residual's autocorrelation, up to where it first falls below 5 % or the integral reaches the longest
+/// that counts.
 double correlation_s(std::span<const Point> points, const Fit& fit) {
   LagModel model;
   model.configure(fit.delay_s, fit.lag_s);
@@ -107,7 +108,7 @@ double correlation_s(std::span<const Point> points, const Fit& fit) {
   double correlation = 0.5 * step_s;
   for (std::size_t lag = 1; lag < residual.size() / 4; ++lag) {
     const double share = variance > 0 ? covariance(lag) / variance : 0.0;
-    if (share < 0.05) break;
+    if (share < 0.05 || correlation >= kLongestCorrelation_s) break;
     correlation += share * step_s;
   }
   return std::clamp(correlation, kShortestCorrelation_s, kLongestCorrelation_s);

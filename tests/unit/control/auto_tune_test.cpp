@@ -7,7 +7,9 @@
 #include <limits>
 #include <random>
 
+#include "core/control/static_law.h"
 #include "tests/not_a_number.h"
+#include "tests/processor_time.h"
 #include "tests/sweep.h"
 #include "tests/unit/control/bench_plant.h"
 
@@ -44,6 +46,41 @@ TEST(Excitation, StaysInTheMiddleOfTheTravelAndSlow) {
     last = angle;
   }
   EXPECT_TRUE(std::isfinite(excitationAngle_deg(kNaN, parameters)));
+}
+
+TEST(Excitation, NeverLeavesATravelThatTheLawDoesNotReach) {
+  ControlParameters parameters;
+  for (const auto& [from, to] : {std::pair{0.0, 15.0}, {100.0, 120.0}}) {
+    parameters.travel_minimum_deg = from;
+    parameters.travel_maximum_deg = to;
+    for (const double t : stepsBefore(0, kExcitation_s, 0.1)) {
+      EXPECT_GE(excitationAngle_deg(t, parameters), from) << t;
+      EXPECT_LE(excitationAngle_deg(t, parameters), to) << t;
+    }
+  }
+}
+
+/// The processor's time for a recording whose measurement drifts all the while.
+double identificationOf_s(std::size_t samples) {
+  const ControlParameters parameters;
+  const StaticLaw law(parameters);
+  std::vector<TuneSample> recording;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double time_s = 0.0101 * static_cast<double>(i), angle = excitationAngle_deg(time_s, parameters);
+    const double drift = 0.04 * static_cast<double>(i) / static_cast<double>(samples);
+    recording.push_back({time_s, angle, law.stiffness_N_per_mm(angle).value * (1 + drift)});
+  }
+  const double before_s = processorTime_s();
+  const auto cloth = identifyCloth(recording, parameters);
+  const double took_s = processorTime_s() - before_s;
+  EXPECT_TRUE(cloth) << cloth.error().text();
+  EXPECT_EQ(cloth ? cloth->noise_correlation_s : 0.0, 2.0) << "the longest that counts";
+  return took_s;
+}
+
+TEST(AutoTune, TakesTimeInProportionToTheRecording) {
+  const double brief_s = std::min(identificationOf_s(10'000), identificationOf_s(10'000));
+  EXPECT_LT(identificationOf_s(80'000), 16 * brief_s) << "eight times as long";
 }
 
 TEST(AutoTune, FindsScaleDelayAndLag) {
