@@ -68,19 +68,30 @@ Rows smallest(const Eigen::VectorXd& values, Eigen::Index count) {
   return rows;
 }
 
-/// The `count` points with the least sum of squares that a seeded search finds.
+/// Adds points of `random` that are not among the rows yet, until there are `count`.
+void addRows(Rows& rows, Eigen::Index count, Eigen::Index points, std::mt19937_64& random) {
+  for (int tries = 0; static_cast<Eigen::Index>(rows.size()) < count && tries < 1000; ++tries) {
+    const auto row = static_cast<Eigen::Index>(random() % static_cast<std::uint64_t>(points));
+    if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+  }
+}
+
+/// The `count` points with the least sum of squares that a seeded search finds (FAST-LTS [Rousseeuw 2006]).
 Rows trimmedStart(const Eigen::MatrixXd& design, const Eigen::VectorXd& y, Eigen::Index count) {
   std::mt19937_64 random(20140601);
+  std::mt19937_64 more(20140602);  // apart, so that a start does not depend on how many rows the others needed
   const Eigen::Index points = design.rows();
   Rows best;
   double best_sum = std::numeric_limits<double>::infinity();
   for (int start = 0; start < (points > kManyPoints ? kStartsOfMany : kStarts); ++start) {
     Rows rows;
-    for (int tries = 0; static_cast<Eigen::Index>(rows.size()) < design.cols() && tries < 1000; ++tries) {
-      const auto row = static_cast<Eigen::Index>(random() % static_cast<std::uint64_t>(points));
-      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
-    }
+    addRows(rows, design.cols(), points, random);
     SubsetFit fit = fitSubset(design, y, rows, false);
+    // With a column for each group of points, so few rarely have one of each group.
+    while (!fit.solved && static_cast<Eigen::Index>(rows.size()) < count) {
+      addRows(rows, static_cast<Eigen::Index>(rows.size()) + 1, points, more);
+      fit = fitSubset(design, y, rows, false);
+    }
     for (int i = 0; i < kConcentrations && fit.solved; ++i) {
       rows = smallest(fit.residual, count);
       fit = fitSubset(design, y, rows, false);

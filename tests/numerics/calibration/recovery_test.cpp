@@ -320,29 +320,49 @@ TEST(LoadCell, DriftAndHysteresisAreToldApart) {
   EXPECT_TRUE(std::isnan(calibrateLoadCell(once, kStandard).drift_N));
 }
 
-TEST(StiffnessMap, OfAnglesPressedInTurnIsThatOfAnglesPressedOneAfterTheOther) {
-  struct Press {
-    double angle_deg, depth_mm, force_N;
-  };
-  const auto mapOf = [](const std::vector<Press>& presses) {
-    StiffnessSamples samples;
-    for (const Press& press : presses) {
-      samples.angle_deg.push_back(press.angle_deg);
-      samples.indentation_mm.push_back(press.depth_mm);
-      samples.force_N.push_back(press.force_N);
-    }
-    return calibrateStiffness(samples, kStandard);
-  };
+struct Press {
+  double angle_deg, depth_mm, force_N;
+};
+
+/// Every angle pressed to each of five depths, in turn; 0.4 N/mm at the first, 0.03 N/mm more at each further.
+std::vector<Press> pressedInTurn(int angles) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> noise(0, 0.02);
-  constexpr int kAngles = 10;
-  std::vector<Press> in_turn;
+  std::vector<Press> out;
   for (const double depth : stepsTo(2, 10, 2)) {
-    for (int a = 0; a < kAngles; ++a) {
+    for (int a = 0; a < angles; ++a) {
       const double k = 0.4 + 0.03 * a;
-      in_turn.push_back({20.0 + 7.0 * a, depth, k * depth + noise(random)});
+      out.push_back({20.0 + 7.0 * a, depth, k * depth + noise(random)});
     }
   }
+  return out;
+}
+
+StiffnessMap mapOf(const std::vector<Press>& presses) {
+  StiffnessSamples samples;
+  for (const Press& press : presses) {
+    samples.angle_deg.push_back(press.angle_deg);
+    samples.indentation_mm.push_back(press.depth_mm);
+    samples.force_N.push_back(press.force_N);
+  }
+  return calibrateStiffness(samples, kStandard);
+}
+
+TEST(StiffnessMap, APressThatTheOthersContradictIsNamedAmongManyAngles) {
+  std::vector<Press> presses = pressedInTurn(12);
+  EXPECT_TRUE(mapOf(presses).result.outliers.empty());
+  constexpr std::size_t kBad = 31;
+  presses[kBad].force_N += 3.0;
+  const double bad_N = presses[kBad].force_N;
+  EXPECT_EQ(mapOf(presses).result.outliers, std::vector<std::size_t>{kBad});
+  std::ranges::stable_sort(presses, {}, &Press::angle_deg);
+  const auto place = std::ranges::find(presses, bad_N, &Press::force_N) - presses.begin();
+  EXPECT_EQ(mapOf(presses).result.outliers, std::vector<std::size_t>{static_cast<std::size_t>(place)});
+}
+
+TEST(StiffnessMap, OfAnglesPressedInTurnIsThatOfAnglesPressedOneAfterTheOther) {
+  constexpr int kAngles = 10;
+  const std::vector<Press> in_turn = pressedInTurn(kAngles);
   std::vector<Press> one_by_one = in_turn;
   std::ranges::stable_sort(one_by_one, {}, &Press::angle_deg);
   const auto turn = mapOf(in_turn);
