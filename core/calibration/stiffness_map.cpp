@@ -57,7 +57,8 @@ Presses pressesOf(const StiffnessSamples& s, const Groups& groups, std::span<con
 }
 
 /// Refuses what cannot make a map. @return true when there is enough
-bool enoughPresses(CalibrationResult& result, const Groups& groups, const CalibrationParameters& p) {
+bool enoughPresses(CalibrationResult& result, const StiffnessSamples& s, const Groups& groups,
+                   const CalibrationParameters& p) {
   const auto& angles = groups.angles;
   if (angles.size() < static_cast<std::size_t>(p.stiffness_fewest_angles)) {
     std::vector<double> present;
@@ -71,12 +72,25 @@ bool enoughPresses(CalibrationResult& result, const Groups& groups, const Calibr
                  "calibration.stiffness_fewest_angles");
     return false;
   }
-  for (const AngleStiffness& a : angles) {
-    if (a.points >= static_cast<std::size_t>(p.stiffness_fewest_presses)) continue;
+  for (std::size_t a = 0; a < angles.size(); ++a) {
+    double deepest = 0.0;
+    std::size_t presses = 0;  // a point on the untouched cloth is none
+    for (std::size_t row = 0; row < groups.of.size(); ++row) {
+      if (groups.of[row] != a) continue;
+      deepest = std::max(deepest, s.indentation_mm[row]);
+      presses += s.indentation_mm[row] >= kLeastPress_mm ? 1 : 0;
+    }
+    if (presses == 0) {
+      refuse(result, say("no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: "
+                         "press deeper there",
+                         angles[a].angle_deg, deepest, kLeastPress_mm));
+      return false;
+    }
+    if (presses >= static_cast<std::size_t>(p.stiffness_fewest_presses)) continue;
     refuseTooFew(result,
-                 say("{} points at {:.3g} deg; expected at least {}: press there again, to "
+                 say("{} points at {:.3g} deg are at least {:g} mm deep; expected at least {}: press there again, to "
                      "different depths",
-                     a.points, a.angle_deg, p.stiffness_fewest_presses),
+                     presses, angles[a].angle_deg, kLeastPress_mm, p.stiffness_fewest_presses),
                  "calibration.stiffness_fewest_presses");
     return false;
   }
@@ -177,21 +191,10 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
   const bool depths_good = checkColumn(result, "indentation_mm", s.indentation_mm, 0, 200);
   if (!checkColumn(result, "force_N", s.force_N, -1000, 1000) || !angles_good || !depths_good) return out;
   Groups groups = groupAngles(s.angle_deg);
-  if (!enoughPresses(result, groups, p)) return out;
+  if (!enoughPresses(result, s, groups, p)) return out;
 
   std::vector<std::size_t> rows(s.force_N.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  for (std::size_t a = 0; a < groups.angles.size(); ++a) {
-    double deepest = 0.0;
-    for (const std::size_t row : rows) {
-      if (groups.of[row] == a) deepest = std::max(deepest, s.indentation_mm[row]);
-    }
-    if (deepest >= kLeastPress_mm) continue;
-    refuse(result, say("no press at {:.3g} deg is deeper than {:.3g} mm; expected at least {:g} mm: "
-                       "press deeper there",
-                       groups.angles[a].angle_deg, deepest, kLeastPress_mm));
-    return out;
-  }
   Presses presses = pressesOf(s, groups, rows, true);
   auto fit = fitLinear(presses.design, presses.force);
   const bool with_offset = fit && fit->condition_number <= kOffsetCondition;
@@ -237,6 +240,13 @@ StiffnessMap calibrateStiffness(const StiffnessSamples& s, const CalibrationPara
       [&](const LinearFit& part, std::size_t row) {
         return presses.design.row(static_cast<Eigen::Index>(row)).dot(part.coefficients);
       });
+  for (const std::size_t row : rows) {
+    if (std::isfinite(predicted[row])) continue;
+    refuse(result, say("the points at {:.3g} deg cannot be predicted from the others: press there again, to different "
+                       "depths",
+                       s.angle_deg[row]));
+    return out;
+  }
   std::vector<double> held_out;
   held_out.reserve(rows.size());
   for (const std::size_t row : rows) held_out.push_back(s.force_N[row] - predicted[row]);

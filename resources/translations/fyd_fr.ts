@@ -8314,6 +8314,10 @@ Pour commencer : %1</translation>
         <translation>l'en-tête ply ne finit pas</translation>
     </message>
     <message>
+        <source>the points at {:.3g} deg cannot be predicted from the others: press there again, to different depths</source>
+        <translation>les points à {:.3g}° ne peuvent être prédits à partir des autres : presser encore là, à des profondeurs différentes</translation>
+    </message>
+    <message>
         <source>the points do not tell the unknowns apart (condition number {:.3g})</source>
         <translation>les points ne distinguent pas les inconnues (conditionnement {:.3g})</translation>
     </message>
@@ -9054,8 +9058,8 @@ Pour commencer : %1</translation>
         <translation>{} paramètres changent avec le premier pas, ceux de l'enregistrement compris ; un pas en prend au plus {} : en régler moins à la fois</translation>
     </message>
     <message>
-        <source>{} points at {:.3g} deg; expected at least {}: press there again, to different depths</source>
-        <translation>{} points à {:.3g}° ; il en faut au moins {} : presser encore là, à des profondeurs différentes</translation>
+        <source>{} points at {:.3g} deg are at least {:g} mm deep; expected at least {}: press there again, to different depths</source>
+        <translation>{} points à {:.3g}° ont au moins {:g} mm de profondeur ; il en faut au moins {} : presser encore là, à des profondeurs différentes</translation>
     </message>
     <message>
         <source>{} points for a {}; expected at least {}</source>

@@ -8314,6 +8314,10 @@ Per cominciare: %1</translation>
         <translation>l'intestazione ply non finisce</translation>
     </message>
     <message>
+        <source>the points at {:.3g} deg cannot be predicted from the others: press there again, to different depths</source>
+        <translation>i punti a {:.3g} gradi non si possono prevedere dagli altri: premere ancora lì, a profondità diverse</translation>
+    </message>
+    <message>
         <source>the points do not tell the unknowns apart (condition number {:.3g})</source>
         <translation>i punti non distinguono le incognite (numero di condizionamento {:.3g})</translation>
     </message>
@@ -9054,8 +9058,8 @@ Per cominciare: %1</translation>
         <translation>{} parametri cambiano con il primo passo, compresi quelli della registrazione; un passo ne prende al più {}: impostarne meno in una volta</translation>
     </message>
     <message>
-        <source>{} points at {:.3g} deg; expected at least {}: press there again, to different depths</source>
-        <translation>{} punti a {:.3g} gradi; ne servono almeno {}: premere ancora lì, a profondità diverse</translation>
+        <source>{} points at {:.3g} deg are at least {:g} mm deep; expected at least {}: press there again, to different depths</source>
+        <translation>{} punti a {:.3g} gradi sono profondi almeno {:g} mm; ne servono almeno {}: premere ancora lì, a profondità diverse</translation>
     </message>
     <message>
         <source>{} points for a {}; expected at least {}</source>

@@ -164,6 +164,35 @@ TEST(StiffnessRefusal, NeedsAnglesPressesAndDepth) {
   EXPECT_THAT(calibrateStiffness(shallow, kStandard).result.verdict.reason.text(), HasSubstr("press deeper"));
 }
 
+TEST(StiffnessRefusal, PointsOnTheUntouchedClothAreNoPresses) {
+  const auto untouched = [](int zeros_before_the_last, const std::vector<double>& depths_mm) {
+    StiffnessSamples samples;
+    for (const auto& [angle, k] : {std::pair{20.0, 0.5}, {45.0, 0.55}, {60.0, 0.67}, {90.0, 0.72}}) {
+      for (std::size_t i = 0; i < depths_mm.size(); ++i) {
+        const int zeros = i + 1 == depths_mm.size() ? zeros_before_the_last : 0;
+        for (int z = 0; z <= zeros; ++z) {
+          const double depth = z < zeros ? 0.0 : depths_mm[i];
+          samples.angle_deg.push_back(angle);
+          samples.indentation_mm.push_back(depth);
+          samples.force_N.push_back(k * depth);
+        }
+      }
+    }
+    return samples;
+  };
+  const auto one = calibrateStiffness(untouched(2, {5.0}), kStandard);
+  EXPECT_FALSE(one.result.verdict.accepted);
+  EXPECT_THAT(one.result.verdict.reason.text(), HasSubstr("1 points at 20 deg"));
+  EXPECT_EQ(one.result.verdict.threshold, "calibration.stiffness_fewest_presses");
+  // Ten points lie between an angle's two presses, so both are held out at once, and nothing predicts them.
+  CalibrationParameters two;
+  two.stiffness_fewest_presses = 2;
+  const auto together = calibrateStiffness(untouched(9, {5.0, 6.0}), two);
+  EXPECT_FALSE(together.result.verdict.accepted);
+  EXPECT_THAT(together.result.verdict.reason.text(), HasSubstr("points at 20 deg cannot be predicted"));
+  EXPECT_TRUE(calibrateStiffness(untouched(8, {5.0, 6.0}), two).result.verdict.accepted);
+}
+
 TEST(StiffnessMapping, NeighboursWithinTheirUncertaintyArePooledAndTheLawStillRises) {
   const auto map = calibrateStiffness(mapOf({{20, 0.5}, {45, 0.6}, {60, 0.599}, {90, 0.72}}), kStandard);
   ASSERT_TRUE(map.result.verdict.accepted) << map.result.verdict.reason.text();
