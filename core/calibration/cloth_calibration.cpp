@@ -62,18 +62,26 @@ bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing
   return true;
 }
 
+/// Of each sensor, whether it reads in any press.
+std::vector<bool> readingSensors(const std::vector<ClothPress>& presses, std::size_t sensors) {
+  std::vector<bool> reads(sensors, false);
+  for (const ClothPress& press : presses) {
+    for (std::size_t i = 0; i < sensors; ++i) reads[i] = reads[i] || press.drops[i].used;
+  }
+  return reads;
+}
+
 /// Refuses presses that cannot determine the unknowns. @return whether they can
 bool enoughPresses(ClothCalibration& out, const std::vector<ClothPress>& presses, std::size_t sensors,
                    const CalibrationParameters& p) {
   out.sensors.assign(sensors, {});
-  std::vector<bool> reads(sensors, false);
+  const std::vector<bool> reads = readingSensors(presses, sensors);
   for (const ClothPress& press : presses) {
     ClothSensor& sensor = out.sensors[press.over];
     const double depth = press.drops[press.over].drop_mm;
     sensor.presses += 1;
     sensor.shallowest_mm = std::isnan(sensor.shallowest_mm) ? depth : std::min(sensor.shallowest_mm, depth);
     sensor.deepest_mm = std::isnan(sensor.deepest_mm) ? depth : std::max(sensor.deepest_mm, depth);
-    for (std::size_t i = 0; i < sensors; ++i) reads[i] = reads[i] || press.drops[i].used;
   }
   CalibrationResult& result = out.result;
   std::size_t pressed = 0;
@@ -109,7 +117,9 @@ bool enoughPresses(ClothCalibration& out, const std::vector<ClothPress>& presses
 }
 
 /// Relative uncertainty of the indentation over the cloth, by the calibrated mode itself; the stiffness has the same.
-double doubtOverTheCloth(const sensing::IndentationParameters& calibrated, const ClothSamples& s, std::size_t sensors) {
+/// @param reads which sensors the mode will have
+double doubtOverTheCloth(const sensing::IndentationParameters& calibrated, const ClothSamples& s,
+                         const std::vector<bool>& reads) {
   constexpr double kDepth_mm = 4.0;
   double area_mm2 = 0.0;
   for (const double area : s.area_mm2) area_mm2 += area / static_cast<double>(s.area_mm2.size());
@@ -122,10 +132,10 @@ double doubtOverTheCloth(const sensing::IndentationParameters& calibrated, const
           .x_mm = x * calibrated.frame_half_width_mm, .y_mm = y * calibrated.frame_half_depth_mm, .area_mm2 = area_mm2};
       cloth.press(contact, kDepth_mm);
       std::array<sensing::Drop, sensing::kMaximumIrSensors> drops;
-      for (std::size_t i = 0; i < sensors; ++i) {
-        drops[i] = {.drop_mm = cloth.share(i) * kDepth_mm, .sigma_mm = kPressNoise_mm, .used = true};
+      for (std::size_t i = 0; i < reads.size(); ++i) {
+        drops[i] = {.drop_mm = cloth.share(i) * kDepth_mm, .sigma_mm = kPressNoise_mm, .used = reads[i]};
       }
-      const sensing::ClothDepth depth = cloth.solve(contact, std::span(drops).first(sensors));
+      const sensing::ClothDepth depth = cloth.solve(contact, std::span(drops).first(reads.size()));
       squares += depth.variance_mm2 / (depth.indentation_mm * depth.indentation_mm);
       ++places;
     }
@@ -215,7 +225,8 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   const ClothUnknowns at = fit.at;
   out.other_edges_rmse = rootMeanSquare(free ? of_held.mm : of_rollers.mm);
   result.rmse = rootMeanSquare(errors.mm);
-  result.max_residual = *std::max_element(errors.mm.begin(), errors.mm.end());
+  for (const double error : errors.mm)
+    result.max_residual = std::fmax(result.max_residual, error);  // NaN is passed over
   result.residuals.assign(s.codes.size(), kUnknown);
   result.valid_from = std::numeric_limits<double>::infinity();
   result.valid_to = 0.0;
@@ -273,7 +284,8 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
     refuse(result, applied.error().message);
     return out;
   }
-  out.stiffness_error = std::max(doubtOverTheCloth(calibrated, s, sensors), rootMeanSquare(errors.relative));
+  out.stiffness_error =
+      std::max(doubtOverTheCloth(calibrated, s, readingSensors(presses, sensors)), rootMeanSquare(errors.relative));
   // The loop needs a bound, not one standard deviation.
   result.changes.push_back(
       {"control.measurement_bias", fmt::format("{:.3g}", std::min(2.0 * out.stiffness_error, 1.0))});
