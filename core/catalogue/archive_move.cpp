@@ -170,6 +170,10 @@ Result<bool> alreadyThere(const std::string& source, const std::string& target) 
   if (error) return fail(about(target, systemReason(error)));
   if (auto own = isFileOfItsOwn(source, target); !own) return tl::unexpected(own.error());
   if (fs::file_size(target, error) == fs::file_size(source, error) && !error) {
+    // Whoever copied it may have been interrupted before it was on the storage, and the source is about to go.
+    const File copy(target, O_RDONLY);
+    if (!copy || fsync(copy.get()) != 0) return fail("{}: writing failed: {}", target, reason());
+    syncFolder(fs::path(target).parent_path());
     const auto there = hashOf(target);
     const auto here = hashOf(source);
     if (there && here && *there == *here) return true;

@@ -2,9 +2,37 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+
+#include <cerrno>
 
 #include "core/catalogue/archive_move.h"
 #include "tests/integration/catalogue/catalogue_fixture.h"
+
+namespace fyd::catalogue {
+namespace {
+
+/// Called with the path of each file or folder that is synced; false: the storage fails.
+std::function<bool(const std::string& path)>& syncObserver() {
+  static std::function<bool(const std::string&)> observer;
+  return observer;
+}
+
+}  // namespace
+}  // namespace fyd::catalogue
+
+/// Takes the place of the C library's in this program.
+extern "C" int fsync(int fd) {
+  const auto& observer = fyd::catalogue::syncObserver();
+  std::error_code error;
+  const std::string path =
+      observer ? std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", fd), error).string() : std::string();
+  if (observer && !observer(path)) {
+    errno = EIO;
+    return -1;
+  }
+  return static_cast<int>(syscall(SYS_fsync, fd));
+}
 
 namespace fyd::catalogue {
 namespace {
@@ -107,6 +135,31 @@ TEST_F(ArchiveMove, ACatalogueThatRefusesKeepsBothAndAskingAgainFinishes) {
   const auto again = moveFile(source, target, kAccept);
   ASSERT_TRUE(again) << again.error().text();
   EXPECT_TRUE(again->was_there);
+  EXPECT_FALSE(fs::exists(source));
+}
+
+TEST_F(ArchiveMove, ACopyOfAnEarlierMoveIsOnTheStorageBeforeTheSourceGoes) {
+  const std::string there = fs::canonical(target) / "a.h5";
+  const auto moved = [&](bool works) {
+    std::vector<std::string> synced;
+    syncObserver() = [&](const std::string& path) {
+      if (fs::exists(source)) synced.push_back(path);
+      return works;
+    };
+    const auto result = moveFile(source, target, kAccept);
+    syncObserver() = nullptr;
+    return std::pair{result, synced};
+  };
+  fs::copy_file(source, there);
+  const auto [refused, tried] = moved(false);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text(), HasSubstr(there + ": writing failed: Input/output error"));
+  EXPECT_THAT(tried, testing::ElementsAre(there));
+  EXPECT_EQ(readText(source), content);
+  const auto [finished, synced] = moved(true);
+  ASSERT_TRUE(finished) << finished.error().text();
+  EXPECT_TRUE(finished->was_there);
+  EXPECT_THAT(synced, testing::ElementsAre(there, fs::canonical(target).string()));
   EXPECT_FALSE(fs::exists(source));
 }
 
