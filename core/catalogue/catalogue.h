@@ -23,11 +23,19 @@ namespace fyd::catalogue {
 class CatalogueDatabase;
 
 struct FileChange {
-  enum class Kind : std::uint8_t { moved, missing, changed, replaced, returned };
+  enum class Kind : std::uint8_t {
+    moved,
+    missing,
+    changed,
+    replaced,
+    returned,
+    unreadable  ///< whether the recording is still there cannot be found out: its entry stays as it was
+  };
   Kind kind = Kind::missing;
   std::string id;
   std::string old_path;
   std::string new_path;  ///< moved: where it is now
+  Message problem;       ///< unreadable: why
 };
 [[nodiscard]] const char* toString(FileChange::Kind kind);
 
@@ -35,7 +43,7 @@ struct ScanReport {
   std::size_t added = 0;
   std::size_t known = 0;
   std::vector<std::string> copies;  ///< further files of a recording that has an entry already, which stays
-  std::vector<Message> unreadable;  ///< "path: why"
+  std::vector<Message> unreadable;  ///< "path: why", of files and of folders
 };
 
 class Catalogue {
@@ -52,7 +60,8 @@ class Catalogue {
   [[nodiscard]] const std::string& name() const;  ///< for messages; holds no secret
   [[nodiscard]] const PendingReport& pending() const { return pending_; }
 
-  /// Adds the entry. An existing one with the same id gets the new facts of the file; its station, notes and tags stay.
+  /// Adds the entry. An existing one with the same id gets the new facts of the file, and with a new path the station
+  /// that sees it there; its notes and tags stay.
   [[nodiscard]] Result<void> add(const CatalogueEntry& entry);
   /// All of them or none.
   [[nodiscard]] Result<void> add(std::span<const CatalogueEntry> entries);

@@ -155,7 +155,10 @@ Result<std::unique_ptr<CatalogueDatabase>> CatalogueDatabase::open(const Catalog
 }
 
 Result<bool> isDamaged(const std::string& path) {
-  if (!std::filesystem::exists(path)) return false;
+  std::error_code error;
+  const bool there = std::filesystem::exists(path, error);
+  if (error) return fail(about(path, systemReason(error)));
+  if (!there) return false;
   if (const auto target = writeTargetOf(path); !target) return tl::unexpected(target.error());
   try {
     soci::session session(soci::sqlite3, sqliteOptions(path));
@@ -163,10 +166,10 @@ Result<bool> isDamaged(const std::string& path) {
     session << "PRAGMA busy_timeout = " << kBusy_ms, soci::into(answer);
     session << "PRAGMA quick_check(1)", soci::into(answer);
     return answer != "ok";
-  } catch (const std::exception& error) {
-    const int code = sqliteCode(error);
+  } catch (const std::exception& problem) {
+    const int code = sqliteCode(problem);
     if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) return true;
-    return fail(about(path, verbatim(oneLine(error))));
+    return fail(about(path, verbatim(oneLine(problem))));
   }
 }
 

@@ -45,6 +45,7 @@ const char* toString(FileChange::Kind kind) {
     case FileChange::Kind::changed: return "changed";
     case FileChange::Kind::replaced: return "replaced";
     case FileChange::Kind::returned: return "returned";
+    case FileChange::Kind::unreadable: return "unreadable";
   }
   return "?";
 }
@@ -82,7 +83,9 @@ Result<ScanReport> Catalogue::addFolder(const std::string& path, const EntryRead
   Known known(std::move(*entries));
   ScanReport report;
   std::vector<CatalogueEntry> batch;
-  for (const std::string& file : recordingsIn(folder, true)) {
+  FoundRecordings found = recordingsIn(folder, true);
+  report.unreadable = std::move(found.problems);
+  for (const std::string& file : found.files) {
     if (known.has(file)) {
       ++report.known;
       continue;
@@ -93,7 +96,9 @@ Result<ScanReport> Catalogue::addFolder(const std::string& path, const EntryRead
       continue;
     }
     const auto same = known.by_id.find(entry->id);
-    if (same != known.by_id.end() && same->second.path != entry->path && fileFacts(same->second.path)) {
+    // Another station's file cannot be looked for here.
+    if (same != known.by_id.end() && same->second.path != entry->path &&
+        (same->second.station != stationName() || fileFacts(same->second.path))) {
       report.copies.push_back(entry->path);
       continue;
     }
@@ -136,15 +141,19 @@ Result<std::vector<FileChange>> Catalogue::checkFiles(const EntryReader& read) {
       changes.push_back(change);
       continue;
     }
-    change.kind = facts ? Kind::replaced : Kind::missing;
+    change.kind = !facts ? Kind::missing : now ? Kind::replaced : Kind::unreadable;
+    if (change.kind == Kind::unreadable) change.problem = now.error().message;
     gone.emplace(entry.id, change);
   }
   if (gone.empty()) return changes;
 
   const Known known(std::move(*own));
   std::set<std::string> candidates;
-  const auto consider = [&candidates](const std::string& folder, bool deep) {
-    for (std::string& file : recordingsIn(folder, deep)) candidates.insert(std::move(file));
+  Message unsearched;  // the first folder that could not be: what is missing may be there
+  const auto consider = [&](const std::string& folder, bool deep) {
+    FoundRecordings seen = recordingsIn(folder, deep);
+    for (std::string& file : seen.files) candidates.insert(std::move(file));
+    if (unsearched.empty() && !seen.problems.empty()) unsearched = std::move(seen.problems.front());
   };
   for (const std::string& folder : *remembered) consider(folder, true);
   for (const std::string& folder : parents) consider(folder, false);
@@ -160,9 +169,15 @@ Result<std::vector<FileChange>> Catalogue::checkFiles(const EntryReader& read) {
     changes.push_back(wanted->second);
     gone.erase(wanted);
   }
-  for (const auto& [id, change] : gone) {
-    const FileState state = change.kind == Kind::replaced ? FileState::replaced : FileState::missing;
-    if (auto ok = markFile(id, state); !ok) return tl::unexpected(ok.error());
+  for (auto& [id, change] : gone) {
+    if (change.kind == Kind::missing && !unsearched.empty()) {
+      change.kind = Kind::unreadable;
+      change.problem = unsearched;
+    }
+    if (change.kind != Kind::unreadable) {
+      const FileState state = change.kind == Kind::replaced ? FileState::replaced : FileState::missing;
+      if (auto ok = markFile(id, state); !ok) return tl::unexpected(ok.error());
+    }
     changes.push_back(change);
   }
   return changes;

@@ -98,7 +98,9 @@ void putEntry(soci::session& sql, const CatalogueEntry& entry) {
       " VALUES (:id, :path, :station, :started_utc, :started_ms, :duration_s, :operator_name, :subject, :notes,"
       " :touchpad, :robot, :samples, :gaps, :events, :wholeness, :health, :bytes, :file_modified_ns, :file_state,"
       " :search_text)"
-      " ON CONFLICT (id) DO UPDATE SET path = excluded.path, started_utc = excluded.started_utc,"
+      " ON CONFLICT (id) DO UPDATE SET"
+      " station = CASE WHEN sessions.path = excluded.path THEN sessions.station ELSE excluded.station END,"
+      " path = excluded.path, started_utc = excluded.started_utc,"
       " started_ms = excluded.started_ms, duration_s = excluded.duration_s, samples = excluded.samples,"
       " gaps = excluded.gaps, events = excluded.events, wholeness = excluded.wholeness, health = excluded.health,"
       " bytes = excluded.bytes, file_modified_ns = excluded.file_modified_ns, file_state = excluded.file_state");

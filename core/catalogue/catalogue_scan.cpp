@@ -4,24 +4,32 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
+
+#include "core/base/system_reason.h"
 
 namespace fyd::catalogue {
 namespace {
 
 namespace fs = std::filesystem;
 
-template <class Iterator>
-void collect(const std::string& folder, std::vector<std::string>& out) {
+bool isRecording(const std::string& path) { return path.ends_with(".h5") || path.ends_with(".h5.partial"); }
+
+/// One folder's recordings; the folders in it go to `below`.
+void list(const std::string& folder, FoundRecordings& out, std::vector<std::string>& below) {
   std::error_code error;
-  Iterator item(folder, fs::directory_options::skip_permission_denied, error);
-  while (!error && item != Iterator()) {
+  fs::directory_iterator item(folder, error);
+  for (; !error && item != fs::directory_iterator(); item.increment(error)) {
     const std::string& path = item->path().native();
     std::error_code unreadable;
-    if ((path.ends_with(".h5") || path.ends_with(".h5.partial")) && item->is_regular_file(unreadable)) {
-      out.push_back(path);
+    if (item->is_directory(unreadable) && !item->is_symlink(unreadable)) {
+      below.push_back(path);
+    } else if (isRecording(path) && item->is_regular_file(unreadable)) {
+      out.files.push_back(path);
     }
-    item.increment(error);
   }
+  const bool none = error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
+  if (error && !none) out.problems.push_back(about(folder, systemReason(error)));
 }
 
 }  // namespace
@@ -37,17 +45,24 @@ bool isUnchanged(const CatalogueEntry& entry, const FileFacts& facts) {
   return entry.bytes == facts.bytes && entry.file_modified_ns == facts.modified_ns;
 }
 
-std::vector<std::string> recordingsIn(const std::string& folder, bool deep) {
-  std::vector<std::string> out;
+FoundRecordings recordingsIn(const std::string& folder, bool deep) {
+  FoundRecordings out;
   std::error_code error;
   const std::string absolute = fs::weakly_canonical(folder, error);
-  if (error) return out;
-  if (deep) {
-    collect<fs::recursive_directory_iterator>(absolute, out);
-  } else {
-    collect<fs::directory_iterator>(absolute, out);
+  if (error) {
+    out.problems.push_back(about(folder, systemReason(error)));
+    return out;
   }
-  std::ranges::sort(out);
+  // Each folder by itself: one that cannot be read costs what is in it, not the search.
+  std::vector<std::string> waiting = {absolute};
+  while (!waiting.empty()) {
+    const std::string next = std::move(waiting.back());
+    waiting.pop_back();
+    std::vector<std::string> below;
+    list(next, out, below);
+    if (deep) waiting.insert(waiting.end(), below.begin(), below.end());
+  }
+  std::ranges::sort(out.files);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/catalogue/catalogue_types.h"
 
 namespace fyd::catalogue {
@@ -19,9 +20,13 @@ struct FileFacts {
 [[nodiscard]] std::optional<FileFacts> fileFacts(const std::string& path);
 [[nodiscard]] bool isUnchanged(const CatalogueEntry& entry, const FileFacts& facts);
 
-/// Absolute paths of .h5 and .h5.partial, sorted; unreadable folders are left out, links to folders are
-/// not followed.
+struct FoundRecordings {
+  std::vector<std::string> files;  ///< absolute paths of .h5 and .h5.partial, sorted
+  std::vector<Message> problems;   ///< "folder: why", of each that could not be read to its end
+};
+
+/// Links to folders are not followed; a folder that does not exist holds nothing.
 /// @param deep also in the folders below
-[[nodiscard]] std::vector<std::string> recordingsIn(const std::string& folder, bool deep);
+[[nodiscard]] FoundRecordings recordingsIn(const std::string& folder, bool deep);
 
 }  // namespace fyd::catalogue

@@ -68,10 +68,12 @@ void runSessionList(const SessionListOptions& options) {
       changes.push_back({{"id", change.id},
                          {"change", catalogue::toString(change.kind)},
                          {"old_path", change.old_path},
-                         {"new_path", change.new_path}});
+                         {"new_path", change.new_path},
+                         {"problem", change.problem}});
       if (options.json) continue;
-      std::cout << fmt::format("{:<9} {}{}\n", catalogue::toString(change.kind), change.old_path,
+      std::cout << fmt::format("{:<10} {}{}\n", catalogue::toString(change.kind), change.old_path,
                                change.new_path.empty() ? "" : " -> " + change.new_path);
+      if (!change.problem.empty()) std::cout << forTerminal(fmt::format("not read: {}\n", change.problem));
     }
   }
   SessionFilter filter = options.filter;

@@ -1,10 +1,13 @@
 // The catalogue in SQLite: two writers, a lock, damage, entries that wait, files that move.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "core/catalogue/catalogue_database.h"
 #include "core/catalogue/catalogue_delivery.h"
 #include "core/catalogue/catalogue_pending.h"
 #include "core/catalogue/catalogue_rebuild.h"
@@ -207,6 +210,79 @@ TEST_F(SqliteCatalogue, MovedChangedReplacedAndMissingFilesAreFound) {
   fs::rename(path("lost.away"), path("data/lost.h5"));
   EXPECT_THAT(check(), testing::UnorderedElementsAre("lost returned", "swap replaced"));
   EXPECT_EQ(catalogue->get("lost")->file_state, FileState::present);
+}
+
+TEST_F(SqliteCatalogue, AnotherStationsEntryKeepsItsPathUntilItsFileIsNamedHere) {
+  auto catalogue = Catalogue::open(word());
+  CatalogueEntry foreign = entryOf("aaaa");
+  foreign.station = "another";
+  ASSERT_TRUE(catalogue->add(foreign));
+  writeText(path("data/a.h5"), "aaaa");
+  const std::string here = fs::canonical(path("data/a.h5"));
+  const auto scan = catalogue->addFolder(path("data"), readMadeUp);
+  ASSERT_TRUE(scan) << scan.error().text();
+  EXPECT_THAT(scan->copies, ElementsAre(here));
+  EXPECT_EQ(scan->added + scan->known, 0U);
+  EXPECT_EQ(catalogue->get("aaaa")->path, foreign.path);
+  EXPECT_EQ(catalogue->get("aaaa")->station, "another");
+
+  CatalogueEntry same_path = entryOf("aaaa");
+  ASSERT_TRUE(catalogue->add(same_path));
+  EXPECT_EQ(catalogue->get("aaaa")->station, "another") << "who looks after that path does not change";
+  ASSERT_TRUE(catalogue->add(readMadeUp(here).value()));
+  EXPECT_EQ(catalogue->get("aaaa")->path, here);
+  EXPECT_EQ(catalogue->get("aaaa")->station, stationName());
+}
+
+TEST_F(SqliteCatalogue, ARecordingThatCannotBeReadIsNotCalledReplaced) {
+  writeText(path("data/a.h5"), "aaaa");
+  auto catalogue = Catalogue::open(word());
+  ASSERT_TRUE(catalogue->addFolder(path("data"), readMadeUp));
+  writeText(path("data/a.h5"), "");
+  const auto changes = catalogue->checkFiles(readMadeUp);
+  ASSERT_TRUE(changes) << changes.error().text();
+  ASSERT_EQ(changes->size(), 1U);
+  EXPECT_STREQ(toString(changes->front().kind), "unreadable");
+  EXPECT_THAT(changes->front().problem.text(), HasSubstr("no recording"));
+  EXPECT_EQ(catalogue->get("aaaa")->file_state, FileState::present);
+}
+
+TEST_F(SqliteCatalogue, AFolderThatCannotBeListedCostsOnlyWhatIsInIt) {
+  writeText(path("data/a/a.h5"), "aaaa");
+  writeText(path("data/z/z.h5"), "zzzz");
+  // Folders within folders, until their path is longer than the system takes.
+  const std::string name(200, 'm');
+  int folder = open(path("data").c_str(), O_RDONLY | O_DIRECTORY);
+  for (int depth = 0; depth < 21; ++depth) {
+    ASSERT_EQ(mkdirat(folder, name.c_str(), 0700), 0);
+    const int next = openat(folder, name.c_str(), O_RDONLY | O_DIRECTORY);
+    close(folder);
+    folder = next;
+  }
+  close(folder);
+  auto catalogue = Catalogue::open(word());
+  const auto scan = catalogue->addFolder(path("data"), readMadeUp);
+  ASSERT_TRUE(scan) << scan.error().text();
+  EXPECT_EQ(scan->added, 2U);
+  ASSERT_EQ(scan->unreadable.size(), 1U);
+  EXPECT_THAT(scan->unreadable[0].text(), testing::EndsWith("m: File name too long"));
+
+  fs::remove(path("data/a/a.h5"));
+  const auto changes = catalogue->checkFiles(readMadeUp);
+  ASSERT_TRUE(changes) << changes.error().text();
+  ASSERT_EQ(changes->size(), 1U);
+  EXPECT_STREQ(toString(changes->front().kind), "unreadable") << "it may be where nobody could look";
+  EXPECT_EQ(changes->front().problem, scan->unreadable[0]);
+  EXPECT_EQ(catalogue->get("aaaa")->file_state, FileState::present);
+  fs::remove_all(path("data") + "/" + name);
+  EXPECT_STREQ(toString(catalogue->checkFiles(readMadeUp)->front().kind), "missing");
+}
+
+TEST_F(SqliteCatalogue, APathThatCannotBeAskedForIsAnError) {
+  const auto damaged = isDamaged(path(std::string(300, 'x')));
+  ASSERT_FALSE(damaged);
+  EXPECT_THAT(damaged.error().text(), HasSubstr("File name too long"));
+  EXPECT_FALSE(isDamaged(path("none.sqlite")).value());
 }
 
 TEST_F(SqliteCatalogue, AKilledWriterLeavesWholeEntries) {
