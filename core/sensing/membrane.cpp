@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kMirrors = 1;  // either way: −2L, 0, +2L, each with its reflection
+// A strip longer than this is cut to a part around the finger: the products in `green` grow by exp(10πL/B) and stay finite
+// up to L/B = 22, and what lies 10 B away adds less than 1e−13.
+constexpr double kLongestStrip = 20.0;  // L/B
 constexpr double kLeastRadius_mm = 0.1;
 constexpr double kLargestRatio = 50.0;
 constexpr double kWidestPart = 0.8;  // of the frame's shorter half: a disc's largest radius
@@ -75,8 +78,9 @@ Membrane::Membrane(double half_width_mm, double half_depth_mm, double finger_rad
   // Free sides must be the strip's ends; held ones are where the series falls fastest.
   across_is_x_ = edges == ClothEdges::rollers || width < depth;
   mirror_ = edges == ClothEdges::rollers ? 1.0 : -1.0;
-  length_ = across_is_x_ ? depth : width;
   breadth_ = across_is_x_ ? width : depth;
+  whole_length_ = across_is_x_ ? depth : width;
+  length_ = std::min(whole_length_, kLongestStrip * breadth_);
 }
 
 Membrane::Place Membrane::place(double x_mm, double y_mm) const {
@@ -115,7 +119,9 @@ Membrane::Press Membrane::press(double finger_x_mm, double finger_y_mm, double c
   const double limit_y = half_depth_mm_ - r;
   out.x_mm_ = std::clamp(finger_x_mm, -limit_x, limit_x);
   out.y_mm_ = std::clamp(finger_y_mm, -limit_y, limit_y);
-  const Place source = place(out.x_mm_, out.y_mm_);
+  Place source = place(out.x_mm_, out.y_mm_);
+  out.from_ = std::clamp(source.along - 0.5 * length_, 0.0, whole_length_ - length_);
+  source.along -= out.from_;
   const Green at_finger =
       green(length_, breadth_, mirror_, source.along, source.across, source.along, source.across, true);
   out.regular_ = at_finger.value;
@@ -142,8 +148,11 @@ MembraneShare Membrane::Press::outside(double x_mm, double y_mm) const {
   const Membrane& m = *membrane_;
   if (!known_ || !std::isfinite(x_mm) || !std::isfinite(y_mm)) return {};
   if (std::abs(x_mm) >= m.half_width_mm_ || std::abs(y_mm) >= m.half_depth_mm_) return {};
-  const Place point = m.place(x_mm, y_mm);
-  const Place source = m.place(x_mm_, y_mm_);
+  Place point = m.place(x_mm, y_mm);
+  Place source = m.place(x_mm_, y_mm_);
+  point.along -= from_;
+  source.along -= from_;
+  if (point.along < 0.0 || point.along > m.length_) return {};  // too far from the finger to move
   const Green at_point =
       green(m.length_, m.breadth_, m.mirror_, point.along, point.across, source.along, source.across, false);
   const double moved = dipole_ * (along_ * at_point.along + across_ * at_point.across);

@@ -77,6 +77,7 @@ class FYD_API Membrane {
     double regular_ = 0.0;  // at the finger, and its gradient
     double along_ = 0.0;
     double across_ = 0.0;
+    double from_ = 0.0;  // where along the frame the strip begins
     double level_ = 1.0;
     double level_per_log_radius_ = 0.0;
   };
@@ -90,7 +91,7 @@ class FYD_API Membrane {
 
  private:
   struct Place {
-    double along = 0.0;   // of the strip, from its end
+    double along = 0.0;   // of the frame, from its end
     double across = 0.0;  // from its side
   };
   [[nodiscard]] Place place(double x_mm, double y_mm) const;
@@ -100,9 +101,10 @@ class FYD_API Membrane {
   double finger_radius_mm_;
   double scale_x_ = 1.0;
   double scale_y_ = 1.0;
-  double length_ = 0.0;   // of the strip, scaled
-  double breadth_ = 0.0;  // of the strip, scaled
-  double mirror_ = -1.0;  // sign of a mirror at the strip's ends: +1 where they are free
+  double length_ = 0.0;        // of the strip, scaled
+  double breadth_ = 0.0;       // of the strip, scaled
+  double whole_length_ = 0.0;  // of the frame along the strip, scaled
+  double mirror_ = -1.0;       // sign of a mirror at the strip's ends: +1 where they are free
   bool across_is_x_ = false;
 };
 

@@ -173,28 +173,49 @@ TEST(ContactMode, AHeldPressIsFoundWithItsPlaceAndWithoutAllocation) {
 TEST(ContactMode, AnyContactGivesFiniteSharesBetweenZeroAndOne) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  for (const ClothEdges edges : {ClothEdges::held, ClothEdges::rollers}) {
-    IndentationParameters p = contactMode();
-    p.cloth_edges = edges;
-    for (const double ratio : {0.05, 1.0, 20.0, kNan}) {
-      p.cloth_tension_ratio = ratio;
-      ContactCloth cloth(p);
-      for (const double x : {-1e9, -50.0, -49.9, 0.0, 22.0, 49.0, 50.0, kInfinity, kNan}) {
-        for (const double y : {-35.0, -3.0, 0.0, 27.0, 34.9, 1e9, kNan}) {
-          for (const double area : {-1.0, 0.0, 1e-9, 1.0, 50.0, 1e9, kInfinity, kNan}) {
-            for (const double depth : {-5.0, 0.0, 8.0, 1e9, kNan}) {
-              cloth.press({.x_mm = x, .y_mm = y, .area_mm2 = area}, depth);
-              EXPECT_TRUE(std::isfinite(cloth.relativeCompliance()) && cloth.relativeCompliance() > 0.0);
-              for (std::size_t i = 0; i < 3; ++i) {
-                EXPECT_GE(cloth.share(i), 0.0);
-                EXPECT_LE(cloth.share(i), 1.0);
-                EXPECT_TRUE(std::isfinite(cloth.shareSigma(i)))
-                    << x << ' ' << y << ' ' << area << ' ' << depth << ' ' << ratio;
+  struct Frame {
+    double half_width_mm, half_depth_mm;
+  };
+  for (const Frame frame : {Frame{50, 35}, {200, 10}, {10, 200}}) {
+    for (const ClothEdges edges : {ClothEdges::held, ClothEdges::rollers}) {
+      IndentationParameters p = contactMode();
+      p.cloth_edges = edges;
+      p.frame_half_width_mm = frame.half_width_mm;
+      p.frame_half_depth_mm = frame.half_depth_mm;
+      p.cloth_tension_ratio_sigma = 2.0;
+      for (const double ratio : {0.05, 1.0, 20.0, kNan}) {
+        p.cloth_tension_ratio = ratio;
+        ContactCloth cloth(p);
+        for (const double x : {-1e9, -50.0, -49.9, 0.0, 22.0, 49.0, 50.0, 199.9, kInfinity, kNan}) {
+          for (const double y : {-199.9, -35.0, -3.0, 0.0, 27.0, 34.9, 1e9, kNan}) {
+            for (const double area : {-1.0, 0.0, 1e-9, 1.0, 50.0, 1e9, kInfinity, kNan}) {
+              for (const double depth : {-5.0, 0.0, 8.0, 1e9, kNan}) {
+                cloth.press({.x_mm = x, .y_mm = y, .area_mm2 = area}, depth);
+                EXPECT_TRUE(std::isfinite(cloth.relativeCompliance()) && cloth.relativeCompliance() > 0.0);
+                for (std::size_t i = 0; i < 3; ++i) {
+                  EXPECT_GE(cloth.share(i), 0.0);
+                  EXPECT_LE(cloth.share(i), 1.0);
+                  ASSERT_TRUE(std::isfinite(cloth.shareSigma(i)))
+                      << frame.half_width_mm << ' ' << x << ' ' << y << ' ' << area << ' ' << depth << ' ' << ratio;
+                }
               }
             }
           }
         }
       }
+    }
+  }
+}
+
+TEST(ContactCloth, AStripIsTheSameAllAlongAndAsInAShorterFrame) {
+  for (const ClothEdges edges : {ClothEdges::held, ClothEdges::rollers}) {
+    // Twice as long as is summed; the shorter one is summed whole.
+    const Membrane strip(10, 400, 3, edges), shorter(10, 150, 3, edges);
+    for (const double away : {2.0, 5.0, 12.0, 60.0}) {
+      const double share = shorter.shape(1, away, 2, 0);
+      for (const double along : {-200.0, 0.0, 100.0, 240.0})
+        EXPECT_NEAR(strip.shape(1, along + away, 2, along), share, 1e-9) << along << ' ' << away;
+      EXPECT_NEAR(strip.shape(1, 390 - away, 2, 390), shorter.shape(1, 140 - away, 2, 140), 1e-9) << "at the end";
     }
   }
 }
