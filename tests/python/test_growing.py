@@ -5,6 +5,7 @@ import time
 
 import h5py
 import numpy as np
+import pytest
 from conftest import PATIENCE_s
 
 import fyd
@@ -50,6 +51,66 @@ def test_columns_grow_with_the_file(tmp_path):
     for name in theirs.dtype.names:  # some grown, some read at once
         assert recording.telemetry[name].tobytes() == theirs[name].tobytes()
     assert np.array_equal(force, before, equal_nan=True)
+
+
+def counting(rows):
+    """A file whose column holds its rows' numbers, and of which `meanwhile` happens as it is read."""
+    file = type("File", (), {"reads": 0})()
+    file.meanwhile = lambda: None
+    file.info = lambda: type("Info", (), {"rows": rows})()
+
+    def read_into(names, first, arrays):
+        file.reads += 1
+        file.meanwhile()
+        for array in arrays:
+            array[:] = np.arange(first, first + len(array))
+
+    file.read_into = read_into
+    return file
+
+
+def test_a_refresh_while_a_column_is_read_leaves_no_row_unread():
+    """As from another thread: reading gives up the interpreter's lock."""
+    file = counting(rows=5)
+    telemetry = fyd.Telemetry(file)
+
+    def refreshed():
+        telemetry._rows = 9
+
+    file.meanwhile = refreshed
+    assert telemetry["force_N"].tolist() == list(range(5))
+    assert telemetry["force_N"].tolist() == list(range(9))
+    assert telemetry.rows == 9 and file.reads == 2
+
+
+def test_a_column_that_two_threads_ask_for_is_right_in_both():
+    file = counting(rows=5)
+    telemetry, inner = fyd.Telemetry(file), []
+
+    def asked_too():
+        file.meanwhile = lambda: None
+        telemetry._rows = 9
+        inner.append(telemetry["force_N"])
+
+    file.meanwhile = asked_too
+    assert telemetry["force_N"].tolist() == list(range(5))
+    assert inner[0].tolist() == telemetry["force_N"].tolist() == list(range(9))
+
+
+def test_what_could_not_be_read_is_read_the_next_time():
+    file = counting(rows=5)
+    telemetry = fyd.Telemetry(file)
+    first = telemetry["force_N"]
+    telemetry._rows = 9
+
+    def fails():
+        raise fyd.Error("the disk is gone")
+
+    file.meanwhile = fails
+    with pytest.raises(fyd.Error, match="gone"):
+        _ = telemetry["force_N"]
+    file.meanwhile = lambda: None
+    assert telemetry["force_N"].tolist() == list(range(9)) and first.tolist() == list(range(5))
 
 
 def test_a_column_is_not_copied_for_each_refresh(tmp_path, monkeypatch):

@@ -76,31 +76,42 @@ class Telemetry(Mapping[str, Array]):
         self._read(list(_fyd.TELEMETRY_NAMES if names is None else names))
         return self
 
-    def _read(self, names: list[str]) -> None:
+    def _read(self, names: list[str]) -> dict[str, Array]:
+        """These columns, all of one length: what refresh() finds meanwhile, in another thread, is the next read's."""
         for name in names:
             if name not in _fyd.TELEMETRY_DTYPES:
                 raise KeyError(f"{name}: telemetry has no such column; it has {', '.join(self)}")
+        rows = self._rows
+        out: dict[str, Array] = {}
+        taken: dict[str, tuple[Array, int]] = {}
         by_first: dict[int, list[str]] = {}  # columns may have been read at different times
         for name in dict.fromkeys(names):
-            memory, read = self._kept.get(name, (np.empty(0, _fyd.TELEMETRY_DTYPES[name]), 0))
-            if read == self._rows:
-                self._kept[name] = (memory, read)
-                continue
-            if memory.size < self._rows:
+            none = (np.empty(0, _fyd.TELEMETRY_DTYPES[name]), 0)
+            memory, read = self._kept.get(name, none)
+            if read < rows:
+                # Taken out: a thread that asks meanwhile reads into memory of its own. No lock, for who waits for one may
+                # hold h5py's, which the reading needs.
+                memory, read = self._kept.pop(name, none)
+            if memory.size < rows:
                 # The first time as many as there are; a file that grows gets room for as many again.
-                larger = np.empty(self._rows if read == 0 else max(self._rows, 2 * memory.size), memory.dtype)
+                larger = np.empty(rows if read == 0 else max(rows, 2 * memory.size), memory.dtype)
                 larger[:read] = memory[:read]
                 memory = larger
-            self._kept[name] = (memory, read)
-            by_first.setdefault(read, []).append(name)
-        for first, together in by_first.items():
-            self._file.read_into(together, first, [self._kept[name][0][first:self._rows] for name in together])
-            for name in together:
-                self._kept[name] = (self._kept[name][0], self._rows)
+            if read < rows:
+                taken[name] = (memory, read)
+                by_first.setdefault(read, []).append(name)
+            out[name] = memory[:rows]
+        try:
+            for first, together in by_first.items():
+                self._file.read_into(together, first, [out[name][first:] for name in together])
+                for name in together:
+                    taken[name] = (taken[name][0], rows)
+        finally:
+            self._kept.update(taken)
+        return out
 
     def __getitem__(self, name: str) -> Array:
-        self._read([name])
-        view = self._kept[name][0][:self._rows]
+        view = self._read([name])[name]
         view.flags.writeable = False
         return view
 
@@ -127,7 +138,7 @@ class Recording:
     def __init__(self, path: str | os.PathLike[str]) -> None:
         """Opens FILE or FILE.partial; FILE alone also finds FILE.partial beside it. Units: none."""
         self.path = os.fspath(path)
-        self._file = _fyd.RecordingFile(self.path)
+        self._file = _fyd.RecordingFile(os.fsencode(path))
         _opened.add(self._file)
         self._telemetry = Telemetry(self._file)
         self._started_ns = self._file.info().started_ns
