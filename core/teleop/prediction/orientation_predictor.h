@@ -31,9 +31,12 @@ class OrientationPredictor {
 
   /// As Predictor::message. A quaternion whose length is not within 1 ± 0.1 is ignored; others are normalised.
   void message(double date_s, const Orientation& orientation);
-  /// @return a unit quaternion; no rotation before the first message
+  /// @return a unit quaternion; no rotation before the first message of a motion
   [[nodiscard]] Orientation predict(double time_s);
-  void endMotion() { predictor_->endMotion(); }
+  void endMotion() {
+    predictor_->endMotion();
+    count_ = 0;
+  }
 
  private:
   /// A message, and the sum of the rotation vectors up to it.

@@ -134,6 +134,17 @@ TEST(OrientationPredictor, OvertakenDoubledAndBrokenMessagesAreTakenOrPassedOver
   EXPECT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1.0, 1e-12);
 }
 
+TEST(OrientationPredictor, BetweenTwoMotionsThereIsNoRotation) {
+  for (const std::string_view name : kPredictorNames) {
+    OrientationPredictor predictor(predictorNamed(name).value(), 0.010);
+    for (int i = 0; i < 100; ++i) predictor.message(0.01 * i, of(kSpin(0.01 * i)));
+    predictor.endMotion();
+    EXPECT_EQ(degrees(of(predictor.predict(1.0)), Quaterniond::Identity()), 0.0) << name;
+    predictor.message(1.5, of(kSpin(4.0)));  // the hand comes back elsewhere
+    EXPECT_LT(degrees(of(predictor.predict(1.5)), kSpin(4.0)), 1e-6) << name;
+  }
+}
+
 TEST(OrientationPredictor, AnglesAreAboutTheOuterAxesOneAfterTheOther) {
   const Quaterniond truth =
       AngleAxisd(0.7, Vector3d::UnitZ()) * AngleAxisd(-1.1, Vector3d::UnitY()) * AngleAxisd(2.0, Vector3d::UnitX());
