@@ -9098,6 +9098,10 @@ Pour commencer : %1</translation>
         <translation>{} s à {} Hz font {} échantillons : attendu au plus {}</translation>
     </message>
     <message>
+        <source>{} s from the first row to the last; expected at most {}: are the times in seconds?</source>
+        <translation>{} s de la première ligne à la dernière ; attendu : {} au plus ; les temps sont-ils en secondes ?</translation>
+    </message>
+    <message>
         <source>{} samples; expected at least {}: wait longer</source>
         <translation>{} échantillons ; attendu au moins {} : attendre plus longtemps</translation>
     </message>

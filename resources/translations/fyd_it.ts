@@ -9098,6 +9098,10 @@ Per cominciare: %1</translation>
         <translation>{} s a {} Hz sono {} campioni: attesi al più {}</translation>
     </message>
     <message>
+        <source>{} s from the first row to the last; expected at most {}: are the times in seconds?</source>
+        <translation>{} s dalla prima riga all&apos;ultima; attesi al massimo {}: i tempi sono in secondi?</translation>
+    </message>
+    <message>
         <source>{} samples; expected at least {}: wait longer</source>
         <translation>{} campioni; attesi almeno {}: attendere di più</translation>
     </message>

@@ -92,6 +92,8 @@ class Teleop(fyd.Case):
         self.assertIn("own", self.refused(2, *run, "--profile", "lan", "--delay", 5))
         self.assertIn("none.csv", self.refused(1, "teleop", "run", "--trace", self.path("none.csv")))
         self.assertIn("round trip -3", self.refused(1, *run, "--profile", self.write("n.csv", "sent_ms,rtt_ms\n0,5\n10,-3\n")))
+        millis = self.write("millis.csv", "t_s,x_mm\n0,0\n60000,1\n")
+        self.assertRegex(self.refused(1, "teleop", "run", "--trace", millis), "millis.csv: 60000 s .*3600: are the times in seconds")
         self.assertIn("seconds", self.refused(2, "teleop", "table", "--seconds", 0))
         self.assertIn("no recordings", self.refused(1, "teleop", "table", "--data", self.path("empty")))
 

@@ -78,6 +78,10 @@ def test_what_is_not_possible_is_named():
         fyd.predict_trial(time_s, path, loss_percent=101)
     with pytest.raises(fyd.InvalidValue, match="smooth_s"):
         fyd.predict_trial(time_s, path, smooth_s=-1)
+    with pytest.raises(fyd.InvalidValue, match="^99000000 s .*86400.*seconds"):
+        fyd.predict_trial(1e6 * np.arange(100), path)  # microseconds
+    with pytest.raises(fyd.InvalidValue, match="86400"):
+        fyd.predict_trial([-1e300, 1e300], path[:2])
     with pytest.raises(fyd.InvalidValue):
         fyd.predict_trial(time_s[::-1], path)
     with pytest.raises(fyd.InvalidValue):

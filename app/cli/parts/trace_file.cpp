@@ -7,7 +7,7 @@
 
 namespace fyd::cli {
 
-NamedTrace readTrace(const std::string& path, std::vector<std::string> columns) {
+NamedTrace readTrace(const std::string& path, std::vector<std::string> columns, double most_s) {
   if (columns.size() > teleop::kMostAxes) {
     throw UsageError(say("--columns: {} columns; expected one to three", columns.size()));
   }
@@ -36,7 +36,9 @@ NamedTrace readTrace(const std::string& path, std::vector<std::string> columns) 
   for (std::size_t a = 0; a < out.columns.size(); ++a) {
     for (std::size_t row = 0; row < table.rows(); ++row) out.trace.position_mm[row][a] = table.values[a + 1][row];
   }
-  if (auto good = teleop::checkTrace(out.trace); !good) throw Failure(about(path, std::move(good.error().message)));
+  auto good = teleop::checkTrace(out.trace);
+  if (good) good = teleop::checkLength(out.trace, most_s);
+  if (!good) throw Failure(about(path, std::move(good.error().message)));
   return out;
 }
 

@@ -14,7 +14,9 @@ struct NamedTrace {
 };
 
 /// @param columns one to three; when empty `master_mm` if there is one, otherwise all that end in _mm
+/// @param most_s from the first row to the last
 /// @throws Failure that names the file, the row or the column
-[[nodiscard]] NamedTrace readTrace(const std::string& path, std::vector<std::string> columns);
+[[nodiscard]] NamedTrace readTrace(const std::string& path, std::vector<std::string> columns,
+                                   double most_s = teleop::kLongestTrace_s);
 
 }  // namespace fyd::cli

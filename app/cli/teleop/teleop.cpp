@@ -58,7 +58,7 @@ void runRun(RunOptions options) {
   settings.path.forward.seed = 2 * options.seed;
   settings.path.backward.seed = 2 * options.seed + 1;
   if (auto good = sim::checkTeleopRun(settings); !good) throw UsageError(good.error().message);
-  const NamedTrace named = readTrace(options.trace, options.columns);
+  const NamedTrace named = readTrace(options.trace, options.columns, sim::kLongestRun_s);
   std::vector<sim::TeleopRow> rows;
   const sim::TeleopFigures f = runTeleop(named.trace, settings, options.out.empty() ? nullptr : &rows);
   if (!options.out.empty()) writeRows(options, rows);

@@ -27,6 +27,9 @@ struct TeleopRunSettings {
 /// @return an error that names the value and its range
 [[nodiscard]] Result<void> checkTeleopRun(const TeleopRunSettings& settings);
 
+/// Of a run, which keeps each millisecond of it in memory.
+inline constexpr double kLongestRun_s = 3600.0;
+
 struct TeleopRow {
   double t_s = 0.0;
   teleop::Position hand_mm{}, far_mm{}, wanted_mm{};  ///< the devices, and the hand as predicted at the far end
@@ -61,6 +64,7 @@ struct TeleopFigures {
   double deadband_worst = 0.0, deadband_force_worst = 0.0;  ///< error / band, where known
 };
 
+/// @param trace of kLongestRun_s at most
 /// @param rows takes a row a millisecond; null: not kept
 [[nodiscard]] TeleopFigures runTeleop(const teleop::Trace& trace, const TeleopRunSettings& settings,
                                       std::vector<TeleopRow>* rows);

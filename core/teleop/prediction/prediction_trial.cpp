@@ -110,6 +110,14 @@ Result<void> checkTrace(const Trace& trace) {
       if (std::isinf(x)) return fail("row {}: position {} mm; expected a finite one, or NaN in a gap", i + 1, x);
     }
   }
+  return checkLength(trace, kLongestTrace_s);
+}
+
+Result<void> checkLength(const Trace& trace, double most_s) {
+  if (const double length_s = trace.time_s.back() - trace.time_s.front(); length_s > most_s) {
+    return fail("{} s from the first row to the last; expected at most {}: are the times in seconds?", length_s,
+                most_s);
+  }
   return {};
 }
 

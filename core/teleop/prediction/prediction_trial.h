@@ -30,8 +30,14 @@ struct FYD_API Trace {
   [[nodiscard]] double rate_Hz() const;
 };
 
-/// @return an error naming the row when the times do not rise or are not finite, or when fewer than two rows are given
+/// A day: what is computed of a trace grows with its time, so that times in another unit must not pass for seconds.
+inline constexpr double kLongestTrace_s = 86'400.0;
+
+/// @return an error naming the row when the times do not rise or are not finite, or when fewer than two rows are given;
+///         or when they last longer than kLongestTrace_s
 [[nodiscard]] FYD_API Result<void> checkTrace(const Trace& trace);
+/// @return an error when it lasts longer than this
+[[nodiscard]] FYD_API Result<void> checkLength(const Trace& trace, double most_s);
 
 struct TrialNetwork {
   double period_ms = 10.0;

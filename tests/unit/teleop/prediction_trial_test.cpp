@@ -129,6 +129,9 @@ TEST(PredictionTrial, WhatIsNoTraceAndNoNetworkIsRefusedByName) {
   EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {kNaN, 2.0}})).error().text(), HasSubstr("row 2"));
   EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {0.1, 1.0 / 0.0}})).error().text(), HasSubstr("inf"));
   EXPECT_TRUE(checkTrace(rows({{0.0, 1.0}, {0.1, kNaN}})));
+  EXPECT_TRUE(checkTrace(rows({{-400.0, 1.0}, {86'000.0, 2.0}})));
+  EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {6e7, 2.0}})).error().text(), HasSubstr("in seconds?"));
+  EXPECT_FALSE(checkTrace(rows({{-1e308, 1.0}, {1e308, 2.0}})));  // further apart than any number
   EXPECT_THAT(checkNetwork({.period_ms = -1.0}).error().text(), HasSubstr("period -1"));
   EXPECT_THAT(checkNetwork({.delay_ms = kNaN}).error().text(), HasSubstr("delay"));
   EXPECT_THAT(checkNetwork({.jitter_ms = 1e9}).error().text(), HasSubstr("jitter"));
