@@ -47,7 +47,8 @@ Row measure(const std::string& message, const std::string& name, std::size_t byt
   };
   const AllocationCount allocations;
   several();
-  Row row{.message = message, .name = name, .bytes = bytes, .allocations = allocations.count()};
+  const std::uint64_t allocated = allocations.count();  // before the row, which allocates too
+  Row row{.message = message, .name = name, .bytes = bytes, .allocations = allocated};
   std::vector<double> times = timeEach(timings(), several);
   for (double& time : times) time /= kCallsPerSample;
   const Quantiles q = quantiles(times);

@@ -125,10 +125,12 @@ double p95(std::vector<double> values) {
   return values.empty() ? 0.0 : values[values.size() * 95 / 100];
 }
 
-/// Wall time, and this thread's processor time: on a busy machine the rest is waiting for other programs.
+/// Wall time, and this thread's processor time: on a busy machine the rest is waiting for other programs. A call says
+/// whether it did its work: a refusal is quick.
 struct Times {
   std::vector<double> passed_ns;
   std::vector<double> worked_ns;
+  std::size_t failed = 0;
 
   template <class Call>
   void measure(Call&& call) {
@@ -136,8 +138,9 @@ struct Times {
     timespec after{};
     const auto start = std::chrono::steady_clock::now();
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &before);
-    call();
+    const bool good = call();
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &after);
+    if (!good) ++failed;
     passed_ns.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
     worked_ns.push_back(1e9 * static_cast<double>(after.tv_sec - before.tv_sec) +
                         static_cast<double>(after.tv_nsec - before.tv_nsec));
@@ -158,7 +161,7 @@ Times timesOf(int runs, Call&& call) {
 std::vector<std::string> rowOf(const char* part, const std::string& name, Times times, const std::string& ratio) {
   const Quantiles q = quantiles(times.passed_ns);
   return {part,
-          name,
+          times.failed == 0 ? name : fmt::format("{} ({} of {} FAILED)", name, times.failed, times.passed_ns.size()),
           number(ms(q.p50)),
           number(ms(p95(times.passed_ns))),
           number(ms(q.p99)),
@@ -176,8 +179,9 @@ void measureReading(Table& table, const std::string& file) {
              std::vector<char> block(1 << 20);
              while (whole.read(block.data(), static_cast<std::streamsize>(block.size()))) {
              }
+             return whole.eof();
            }));
-  addTimes(table, "open it", timesOf(20, [&] { (void)recording::Recording::open(file); }));
+  addTimes(table, "open it", timesOf(20, [&] { return recording::Recording::open(file).has_value(); }));
   const auto opened = recording::Recording::open(file);
   if (!opened) return;
   const recording::Recording& recording = **opened;
@@ -185,15 +189,15 @@ void measureReading(Table& table, const std::string& file) {
   std::vector<pipeline::TelemetrySample> second(1000);
   addTimes(table, "1 s of telemetry with its picture, anywhere", timesOf(200, [&] {
              const double from_s = std::uniform_real_distribution<double>(1.0, long_s() - 2.0)(random);
-             if (const auto row = recording.rowAt(from_s); row) (void)recording.telemetry(*row, second);
-             (void)recording.pictureAt(from_s);
+             const auto row = recording.rowAt(from_s);
+             return row && recording.telemetry(*row, second) && recording.pictureAt(from_s);
            }));
   const auto overview = [&](double seconds) {
     return timesOf(10, [&] {
       const double from_s = std::uniform_real_distribution<double>(0.0, long_s() - seconds)(random);
       // Opened anew each time: nothing is in the reader's own cache.
-      if (const auto fresh = recording::Recording::open(file); fresh)
-        (void)(*fresh)->overview(kForceField, from_s, from_s + seconds, 1000);
+      const auto fresh = recording::Recording::open(file);
+      return fresh && (*fresh)->overview(kForceField, from_s, from_s + seconds, 1000);
     });
   };
   addTimes(table, "open, then all of it in 1000 buckets", overview(long_s()));
@@ -201,9 +205,13 @@ void measureReading(Table& table, const std::string& file) {
     if (seconds < long_s())
       addTimes(table, fmt::format("open, then {:g} s in 1000 buckets", seconds), overview(seconds));
   }
+  const std::uint64_t rows = recording.info().committed_samples;
   std::uint64_t row = 0;
   addTimes(table, "1000 steps in order, for replay", timesOf(100, [&] {
-             for (int i = 0; i < 1000; ++i) (void)recording.step(row++);
+             for (int i = 0; i < 1000; ++i, row = (row + 1) % rows) {
+               if (!recording.step(row)) return false;
+             }
+             return true;
            }));
 }
 
@@ -217,7 +225,10 @@ void measureCommits(Table& table, const TemporaryFolder& folder) {
     const StepRecord record = steps.next();
     Result<void> put;
     if (i % kBlockSteps == 0)
-      times.measure([&] { put = (*writer)->append(record); });
+      times.measure([&] {
+        put = (*writer)->append(record);
+        return put.has_value();
+      });
     else
       put = (*writer)->append(record);
     if (!put) return;
@@ -225,8 +236,7 @@ void measureCommits(Table& table, const TemporaryFolder& folder) {
   const std::vector<char> bytes(((*writer)->bytes() - before) / times.passed_ns.size());
   const int plain = ::open(folder.file("plain").c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
   const Times plain_times = timesOf(static_cast<int>(times.passed_ns.size()), [&] {
-    (void)!::write(plain, bytes.data(), bytes.size());
-    ::fdatasync(plain);
+    return ::write(plain, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()) && ::fdatasync(plain) == 0;
   });
   ::close(plain);
   const double ratio = times.p50_ns() / plain_times.p50_ns();

@@ -54,6 +54,16 @@ class Bench(fyd.Case):
             self.assertTrue(line.startswith(row["codes"] + "  "), line)
             self.assertIn(row["method"], line)
 
+    def test_a_copy_of_bytes_allocates_nothing(self):
+        rows = self.json("bench", "link", "--quick", "--json")[0]["rows"]
+        copies = [row for row in rows if "baseline" in row["operation"]]
+        self.assertEqual([float(row["allocations"]) for row in copies], [0] * 4)
+
+    def test_what_is_read_of_a_recording_is_there(self):
+        rows = self.json("bench", "recording", "--quick", "--json")[0]["rows"]
+        self.assertIn("1000 steps in order, for replay", [row["what"] for row in rows])
+        self.assertFalse([row["what"] for row in rows if "FAILED" in row["what"]])
+
     def test_what_does_not_go_together_is_refused(self):
         self.assertIn("--out", self.refused(2, "bench", "--all"))
         self.refused(2, "bench", "step", "--all", "--out", self.path("out"))
