@@ -73,7 +73,7 @@ void addPipeline(py::module_& module) {
       .def(
           py::init([](const ParameterSet* parameters, const texture::SurfaceModel* surface, const FeltScene* scene) {
             pipeline::LocalModel local;
-            if (surface != nullptr) local.surface = *surface;
+            if (surface != nullptr) local.surface = checkedSurface(*surface);
             if (scene != nullptr) local.scene = scene->start();
             const pipeline::Parameters values = orDefaults(parameters);
             valid(control::checkControlParameters(values.control));

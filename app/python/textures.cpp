@@ -104,9 +104,7 @@ void addSurfaces(py::module_& module) {
   py::class_<TextureOwner>(module, "VirtualTexture",
                            "A stored surface as it feels under a finger of any speed and force.")
       .def(py::init([](const SurfaceModel& surface, double rate_Hz, std::uint64_t seed) {
-             // The text is checked as a file is: what is set by hand may be anything.
-             const SurfaceModel checked = valid(texture::parseSurface(texture::formatSurface(surface), "surface"));
-             return std::make_unique<TextureOwner>(checked, checkedRate(rate_Hz), seed);
+             return std::make_unique<TextureOwner>(checkedSurface(surface), checkedRate(rate_Hz), seed);
            }),
            py::arg("surface"), py::arg("rate_Hz") = 1000.0, py::arg("seed") = 1,
            "At rate_Hz [Hz]; the same seed gives the same noise.")

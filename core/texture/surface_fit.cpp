@@ -81,7 +81,7 @@ Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const doubl
     return fail("force = {} N: expected 0.01 … 20", conditions.force_N);
   }
   const bool moving = conditions.speed_mm_s > 0.0;
-  if (moving && !(conditions.speed_mm_s >= 1.0 && conditions.speed_mm_s <= 1000.0)) {
+  if (moving ? !(conditions.speed_mm_s >= 1.0 && conditions.speed_mm_s <= 1000.0) : conditions.speed_mm_s != 0.0) {
     return fail("speed = {} mm/s: expected 1 … 1000, or none when it is unknown", conditions.speed_mm_s);
   }
   const double rate_Hz = conditions.sample_rate_Hz;

@@ -145,9 +145,19 @@ def test_what_cannot_be_fitted_or_rendered_is_told():
         fyd.VirtualTexture(surface).run([1, 2], [1])
     with pytest.raises(fyd.InvalidValue, match="texture.corner_Hz"):
         fyd.high_pass(math.nan)
-    surface.reference_speed_mm_s = math.nan
-    with pytest.raises(fyd.InvalidValue):
-        fyd.VirtualTexture(surface)
+    noise = RANDOM.normal(size=(1000, 3))
+    for speed_mm_s in (-40, math.nan, 0.5, 1e6):
+        with pytest.raises(fyd.InvalidValue, match="speed = .*none when it is unknown"):
+            fyd.fit_surface(noise, speed_mm_s=speed_mm_s)
+    for change in ({"reference_speed_mm_s": math.nan}, {"reference_speed_mm_s": 0}, {"reference_force_N": -1},
+                   {"speed_exponent": math.inf}, {"bands": []}, {"bands": [fyd.SurfaceBand(frequency_Hz=90, rms_g=1e9)]}):
+        wrong = fyd.Surface.from_text(surface.text())
+        fyd.Pipeline(surface=wrong)
+        for name, value in change.items():
+            setattr(wrong, name, value)
+        for taken in (fyd.VirtualTexture, lambda surface: fyd.Pipeline(surface=surface)):
+            with pytest.raises(fyd.InvalidValue, match="surface"):
+                taken(wrong)
 
 
 def test_a_signal_matches_itself():

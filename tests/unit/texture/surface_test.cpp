@@ -143,6 +143,11 @@ TEST(SurfaceFit, FindsTheSpectrumAndStrengthOfASurface) {
   EXPECT_NEAR(rmsAt(fit->model, 40.0, 1.0), rmsAt(ribs(), 40.0, 1.0), 0.05);
   EXPECT_FALSE(fitSurface(none, none, none, {}));
   EXPECT_FALSE(fitSurface({}, {}, {}, {}));
+  for (const double speed_mm_s : {-40.0, std::nan(""), 0.5, 1e6}) {
+    const auto refused = fitSurface(none, none, z, {.name = "x", .sample_rate_Hz = 1000.0, .speed_mm_s = speed_mm_s});
+    ASSERT_FALSE(refused) << speed_mm_s;
+    EXPECT_NE(refused.error().text().find("expected 1 … 1000, or none"), std::string::npos);
+  }
 }
 
 TEST(SurfaceFit, GivesOnlyBandsThatAModelMayHave) {
