@@ -49,6 +49,14 @@ def seal_header(file):
         parts.append(b"/header/%s:%d:%s;" % (name.encode(), len(value), value))
     state = file["header/step_state"][...].tobytes()
     parts.append(b"/header/step_state:%d:%s;" % (len(state), state))
+    if file.attrs.get("arithmetic", 1) != 1:
+        parts.append(b"arithmetic:%d;" % int(file.attrs["arithmetic"]))
+    if "scene" in file["header"]:
+        scene = file["header/scene"][...].tobytes()
+        parts.append(b"/header/scene:%d:%d;" % (len(scene), crc32c(scene)))
+    for name in ("lateness", "missing"):
+        if name in file["header"] and (value := text(name)):
+            parts.append(b"/header/%s:%d:%s;" % (name.encode(), len(value), value))
     file.attrs.modify("header_crc32c", numpy.int64(crc32c(b"".join(parts))))
 
 
