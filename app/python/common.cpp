@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/parameter.h"
+#include "core/texture/surface_model.h"
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::python {
@@ -25,6 +26,18 @@ Hdf5Turn::~Hdf5Turn() {
   } catch (py::error_already_set& error) {
     error.discard_as_unraisable("fyd: h5py's lock");
   }
+}
+
+py::str textOf(const std::string& text) {
+  PyObject* out = PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "replace");
+  if (out == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(out);
+}
+
+std::vector<py::str> textOf(const std::vector<std::string>& texts) {
+  std::vector<py::str> out;
+  for (const std::string& text : texts) out.push_back(textOf(text));
+  return out;
 }
 
 std::string shapeOf(const py::array& array) { return py::str(array.attr("shape")); }
@@ -58,6 +71,10 @@ double checkedRate(double rate_Hz) {
   texture::TextureParameters parameters;
   const std::vector<Parameter> bound = bindParameters(parameters);
   return valid(checkParameter(*findParameter(bound, "texture.sample_rate_Hz"), rate_Hz));
+}
+
+texture::SurfaceModel checkedSurface(const texture::SurfaceModel& surface) {
+  return valid(texture::parseSurface(texture::formatSurface(surface), "surface"));
 }
 
 }  // namespace fyd::python

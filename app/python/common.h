@@ -15,6 +15,10 @@
 #include "core/base/error.h"
 #include "core/base/vec3.h"
 
+namespace fyd::texture {
+struct SurfaceModel;
+}
+
 namespace fyd::python {
 
 namespace py = pybind11;
@@ -73,6 +77,10 @@ class Hdf5Turn {
   py::object h5py_lock_;  // none: h5py is not loaded
 };
 
+/// Text of files and of the system, which may be anything: bytes that are no UTF-8 become U+FFFD.
+[[nodiscard]] py::str textOf(const std::string& text);
+[[nodiscard]] std::vector<py::str> textOf(const std::vector<std::string>& texts);
+
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// @param name of the argument, for the message
@@ -95,6 +103,8 @@ template <class T>
 
 /// Sample rate of textures, by its parameter's range.
 [[nodiscard]] double checkedRate(double rate_Hz);
+/// As a file of it would be read: what is set by hand may be anything.
+[[nodiscard]] texture::SurfaceModel checkedSurface(const texture::SurfaceModel& surface);
 
 // Each part of the module.
 void addValues(py::module_& module);

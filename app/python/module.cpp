@@ -18,9 +18,9 @@ void addErrors(py::module_& module) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Failure& failure) {
-      PyErr_SetString(error->ptr(), failure.text.c_str());
+      PyErr_SetObject(error->ptr(), textOf(failure.text).ptr());
     } catch (const Refusal& refusal) {
-      PyErr_SetString(invalid->ptr(), refusal.text.c_str());
+      PyErr_SetObject(invalid->ptr(), textOf(refusal.text).ptr());
     }
   });
 }

@@ -37,8 +37,8 @@ Described describedParameter(const std::string& id) {
 void update(ParameterSet& set, const py::dict& values) {
   // All or nothing: tried on a copy first.
   const ParameterSet trial(set.values());
-  for (const auto& [id, value] : values) assign(trial.find(id.cast<std::string>()), value);
-  for (const auto& [id, value] : values) assign(set.find(id.cast<std::string>()), value);
+  for (const auto& [id, value] : values) assign(trial.find(idOf(id)), value);
+  for (const auto& [id, value] : values) assign(set.find(idOf(id)), value);
 }
 
 }  // namespace
@@ -51,32 +51,60 @@ const Parameter& ParameterSet::find(const std::string& id) const {
 
 namespace {
 
-std::string numberText(const py::handle& value) {
+/// An integer of Python's may be larger than any double.
+double numberOf(const Parameter& parameter, const py::handle& value) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
+  if (PyErr_ExceptionMatches(PyExc_OverflowError) == 0) throw py::error_already_set();
+  PyErr_Clear();
+  throw Refusal{fmt::format("{}: an integer of more than 308 digits; expected {}", parameter.id,
+                            describeRange(parameter).text())};
+}
+
+std::string numberText(const Parameter& parameter, const py::handle& value) {
   const auto number = py::reinterpret_borrow<py::object>(value);
   if (!py::isinstance<py::bool_>(value)) {
-    if (py::hasattr(value, "__index__")) return py::repr(py::int_(number));
+    if (py::hasattr(value, "__index__")) {
+      const py::int_ whole(number);
+      (void)numberOf(parameter, whole);
+      return py::repr(whole);
+    }
     if (py::hasattr(value, "__float__")) return py::repr(py::float_(number));
   }
-  throw py::type_error(
-      fmt::format("{}: no number, truth value, text or list of numbers", std::string(py::repr(value))));
+  throw py::type_error(fmt::format("{}: {}: no number, truth value, text or list of numbers", parameter.id,
+                                   std::string(py::repr(value))));
+}
+
+/// None: no text, or with half of a surrogate pair, as the name of a file that is no UTF-8 has it.
+std::optional<std::string> utf8Of(const py::handle& value) {
+  if (!py::isinstance<py::str>(value)) return std::nullopt;
+  const auto bytes = py::reinterpret_steal<py::object>(PyUnicode_AsUTF8String(value.ptr()));
+  if (bytes) return std::string(py::reinterpret_borrow<py::bytes>(bytes));
+  PyErr_Clear();
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::string written(const py::handle& value) {
+std::string idOf(const py::handle& key) {
+  if (auto id = utf8Of(key)) return *std::move(id);
+  throw py::type_error(fmt::format("{}: expected a name, as \"control.kp\"", std::string(py::repr(key))));
+}
+
+std::string written(const Parameter& parameter, const py::handle& value) {
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
-  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  if (py::hasattr(value, "__iter__")) {
+  if (auto text = utf8Of(value)) return *std::move(text);
+  if (py::hasattr(value, "__iter__") && !py::isinstance<py::str>(value)) {
     // Numbers only, for a list may contain itself; and one more than a list holds, which is then told of.
     std::string out;
     std::size_t count = 0;
     for (const auto& item : value) {
-      out += fmt::format("{}{}", out.empty() ? "" : ", ", numberText(item));
+      out += fmt::format("{}{}", out.empty() ? "" : ", ", numberText(parameter, item));
       if (++count > kParameterListCapacity) break;
     }
     return fmt::format("[{}]", out);
   }
-  return numberText(value);
+  return numberText(parameter, value);
 }
 
 void assign(const Parameter& parameter, const py::handle& value) {
@@ -84,9 +112,9 @@ void assign(const Parameter& parameter, const py::handle& value) {
   if (number && !py::isinstance<py::bool_>(value) &&
       (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer)) {
     // As a number: NaN and infinity are told as what they are.
-    parameter.set(valid(checkParameter(parameter, value.cast<double>())));
+    parameter.set(valid(checkParameter(parameter, numberOf(parameter, value))));
   } else {
-    valid(assignParameter(parameter, written(value)));
+    valid(assignParameter(parameter, written(parameter, value)));
   }
 }
 

@@ -22,8 +22,10 @@ class ParameterSet {
   std::vector<Parameter> bound_;
 };
 
-/// "2.5", "true", "dft321" or "[1, 2]", as assignParameter reads it.
-[[nodiscard]] std::string written(const py::handle& value);
+/// The name of a parameter or key. @throws type_error for what is no text
+[[nodiscard]] std::string idOf(const py::handle& key);
+/// "2.5", "true", "dft321" or "[1, 2]", as assignParameter reads it. @throws Refusal for a number beyond any double
+[[nodiscard]] std::string written(const Parameter& parameter, const py::handle& value);
 /// @throws Refusal with id, value and range
 void assign(const Parameter& parameter, const py::handle& value);
 [[nodiscard]] py::object valueOf(const Parameter& parameter);

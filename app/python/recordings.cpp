@@ -118,7 +118,9 @@ void addInfo(py::module_& module) {
       .value("growing", recording::Wholeness::growing)
       .value("crashed", recording::Wholeness::crashed)
       .value("damaged", recording::Wholeness::damaged);
-  const auto header = [](auto member) { return [member](const RecordingInfo& info) { return info.header.*member; }; };
+  const auto header = [](auto member) {
+    return [member](const RecordingInfo& info) { return textOf(info.header.*member); };
+  };
   using H = recording::RecordingHeader;
   py::class_<RecordingInfo>(module, "RecordingInfo", "The summary of a recording, as of its last refresh.")
       .def_readonly("wholeness", &RecordingInfo::wholeness, "How it was left [—]")
@@ -130,10 +132,13 @@ void addInfo(py::module_& module) {
       .def_readonly("events", &RecordingInfo::events, "Events [1]")
       .def_readonly("bytes", &RecordingInfo::bytes, "Of the file [byte]")
       .def_property_readonly(
-          "damage", [](const RecordingInfo& info) { return info.damage.text(); }, "What is damaged; empty: nothing [—]")
+          "damage", [](const RecordingInfo& info) { return textOf(info.damage.text()); },
+          "What is damaged; empty: nothing [—]")
       .def_readonly("missing_columns", &RecordingInfo::missing_columns,
                     "Columns that this library has and the file has not: read as a new value has them [—]")
-      .def_readonly("unknown_columns", &RecordingInfo::unknown_columns, "Columns that are not read [—]")
+      .def_property_readonly(
+          "unknown_columns", [](const RecordingInfo& info) { return textOf(info.unknown_columns); },
+          "Columns that are not read [—]")
       .def_property_readonly(
           "started_ns", [](const RecordingInfo& info) { return toPython(info.header.started); },
           "The station's clock at time 0 of the recording [ns]")
@@ -192,7 +197,8 @@ void addRecordings(py::module_& module) {
   py::class_<LoggedNote>(module, "Note", "A line of the recording's own log.")
       .def_readonly("time_s", &LoggedNote::time_s, "From the recording's start [s]")
       .def_readonly("kind", &LoggedNote::kind, "What it is [—]")
-      .def_readonly("text", &LoggedNote::text, "What it says [—]");
+      .def_property_readonly(
+          "text", [](const LoggedNote& note) { return textOf(note.text); }, "What it says [—]");
   using recording::RecordedPicture;
   py::class_<RecordedPicture>(module, "Picture", "A picture of the camera, and what the detector said of it.")
       .def_readonly("time_s", &RecordedPicture::time_s, "When it was taken, from the recording's start [s]")
@@ -223,8 +229,8 @@ void addRecordings(py::module_& module) {
           "What the step reported [each in its unit]");
 
   py::class_<OpenRecording>(module, "RecordingFile", "An open recording: whole, growing, or left behind by a crash.")
-      .def(py::init<const std::string&>(), py::arg("path"),
-           "Opens FILE or FILE.partial; FILE alone also finds FILE.partial beside it. Units: none.")
+      .def(py::init([](const py::bytes& path) { return std::make_unique<OpenRecording>(std::string(path)); }),
+           py::arg("path"), "Opens FILE or FILE.partial; FILE alone also finds FILE.partial beside it. Units: none.")
       .def("close", &OpenRecording::close, "Closes the file; the arrays that were read stay. Units: none.")
       .def("info", &OpenRecording::info, "The summary, as of the last refresh. Units: [s] and [byte], in its names.")
       .def(

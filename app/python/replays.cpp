@@ -24,9 +24,10 @@ Replayed replayed(OpenRecording& file, const py::dict& settings, bool closed_loo
   if (!settings.empty()) {
     const ParameterSet trial(done(recording::recordedParameters(file.info().header)));
     for (const auto& [id, value] : settings) {
-      const std::string name = id.cast<std::string>();
-      valid(assignParameter(trial.find(name), written(value), Ranges::mark));
-      options.settings.push_back(fmt::format("{}={}", name, written(value)));
+      const Parameter& parameter = trial.find(idOf(id));
+      const std::string text = written(parameter, value);
+      valid(assignParameter(parameter, text, Ranges::mark));
+      options.settings.push_back(fmt::format("{}={}", parameter.id, text));
     }
     valid(control::checkControlParameters(trial.values().control));
   }

@@ -60,8 +60,8 @@ std::unique_ptr<ContactOwner> contactOf(const MeshOwner& mesh, const py::kwargs&
   body.contact = scene::ContactChoice::vicinity;
   const std::vector<Parameter> bound = bindParameters(body);
   for (const auto& [name, value] : keys) {
-    const Parameter* key = findParameter(bound, "body." + name.cast<std::string>());
-    if (key == nullptr) throw Refusal{fmt::format("{}: a body has no such key", name.cast<std::string>())};
+    const Parameter* key = findParameter(bound, "body." + idOf(name));
+    if (key == nullptr) throw Refusal{fmt::format("{}: a body has no such key", idOf(name))};
     assign(*key, value);
   }
   if (body.soft) throw Refusal{"soft: a soft body is touched in a scene only"};
@@ -230,25 +230,25 @@ void addScenes(py::module_& module) {
           "step",
           [](FeltScene& scene, const Numbers& probe_mm, double time_s) {
             const Vec3 at = point(probe_mm, "probe_mm");
-            return scene.run([&](scene::FeltScene& each) { return each.step(at, time_s); });
+            return scene.step(at, time_s);
           },
           py::arg("probe_mm"), py::arg("time_s"),
-          "The haptic point is at probe_mm [mm] at time_s [s]. A place or a time that is no number touches nothing.")
+          "The haptic point is at probe_mm [mm] at time_s [s]. A place or a time that is no number touches nothing; "
+          "a time that is not after the last step's gives what was felt there.")
       .def(
           "run",
           [](FeltScene& scene, const Numbers& probe_mm, const Numbers& time_s) {
             const auto path = vectors(probe_mm, "probe_mm");
             const auto times = timesFor(time_s, path.size());
             Felt felt;
-            scene.run([&](scene::FeltScene& each) {
-              for (std::size_t i = 0; i < path.size(); ++i) felt.add(each.step(path[i], times[i]), each.texture_g());
-            });
+            scene.run(path, times, [&](const SceneTouch& touch, double texture_g) { felt.add(touch, texture_g); });
             return std::move(felt).asDict();
           },
           py::arg("probe_mm"), py::arg("time_s"),
-          "A whole way [mm], shape (n, 3), at these times [s]; by name the columns of SceneTouch, in [N], [mm], "
-          "[N/mm], and "
-          "texture_g [g] of a finger that slides. Other threads go on meanwhile.");
+          "A whole way [mm], shape (n, 3), at these times [s], each after the one before and after the last step; by "
+          "name the columns of SceneTouch, in [N], [mm], [N/mm], and texture_g [g] of a finger that slides. Goes on "
+          "where the last step ended: for another way from time 0, reset() first. Other threads go on meanwhile.")
+      .def("reset", &FeltScene::reset, "Back to before the first step. Units: none.");
 }
 
 }  // namespace fyd::python

@@ -92,7 +92,9 @@ void addTimed(py::module_& module, const char* name, const char* help) {
   type.def(
       "set",
       [](Timed<T>& input, std::int64_t taken_ns, const py::kwargs& values) {
-        assignNamed(input.value, values);
+        T value = input.value;  // all of it or nothing
+        assignNamed(value, values);
+        input.value = value;
         input.taken = Instant(Duration(taken_ns));
         ++input.count;
       },

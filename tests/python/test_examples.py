@@ -5,7 +5,7 @@ import sys
 
 import h5py
 import numpy as np
-from conftest import ROOT
+from conftest import ROOT, changed_copy
 
 EXAMPLES = ROOT / "resources/manual/examples"
 
@@ -40,6 +40,21 @@ def test_comparing_two_gains(session):
     felt = re.findall(r"felt: ([\d.]+) % .*, ([\d.]+) % as recorded; the force off by ([\d.]+) N", text)
     assert len(felt) == 2 and all(float(force_N) > 0 for _, _, force_N in felt)
     assert felt[0][1] == felt[1][1] and felt[0][0] != felt[1][0]
+
+
+def test_comparing_two_gains_where_steps_were_lost(session, tmp_path):
+    path = tmp_path / "gap.h5"
+    with changed_copy(session, path, "telemetry") as file:
+        rows = file["telemetry"][:]
+        rows["step"][-500:] += 7
+        file["telemetry"][:] = rows
+        commits = file["commits"][:]
+        commits["jumped"][commits["rows"][:, 0] > len(rows) - 500] = 7
+        file["commits"][:] = commits
+    text = output_of("compare_gains.py", path)
+    assert f"{len(rows) - 500} of {len(rows)} steps, not the same bit for bit" in text and "7 steps" in text
+    assert len(re.findall(r"steps differ, stretch off by [\d.]+° RMS", text)) == 2
+    assert len(re.findall(r"the force off by [\d.]+ N", text)) == 2
 
 
 def test_fitting_a_texture():

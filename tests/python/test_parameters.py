@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from conftest import program
+from conftest import GOLDEN, program
 
 import fyd
 
@@ -75,6 +75,35 @@ def test_wrong_kinds_are_told():
         parameters["no.such"] = 1
     with pytest.raises(fyd.InvalidValue, match="no.such"):
         fyd.Parameters({"no.such": 1})
+
+
+@pytest.mark.parametrize("value", [10**400, -10**400, 10**5000], ids=["large", "negative", "huge"])
+def test_an_integer_beyond_any_number_is_named(value):
+    with fyd.open(GOLDEN / "classic.h5") as recording:
+        for name in ("control.kp", "sensing.roi_x_px", "texture.frame"):
+            parameters = fyd.Parameters()
+            before = parameters[name]
+            with pytest.raises(fyd.InvalidValue, match=f"{name}: an integer of more than 308 digits; expected"):
+                parameters[name] = value
+            assert parameters[name] == before
+            with pytest.raises(fyd.InvalidValue, match=f"{name}: an integer of more than 308 digits; expected"):
+                recording.replay({name: value})
+        lists = next(name for name in parameters if fyd.Parameters.info(name).kind == "list")
+        with pytest.raises(fyd.InvalidValue, match=f"{lists}: an integer"):
+            parameters[lists] = [value]
+
+
+@pytest.mark.parametrize("key", [1, None, b"control.kp", "control.\udcff"])
+def test_an_id_is_text(key):
+    parameters = fyd.Parameters()
+    with pytest.raises(TypeError, match="expected a name, as"):
+        fyd.Parameters({key: 2})
+    with pytest.raises(TypeError, match="expected a name, as"):
+        parameters.update({key: 2})
+    with fyd.open(GOLDEN / "classic.h5") as recording, pytest.raises(TypeError, match="expected a name, as"):
+        recording.replay({key: 2})
+    with pytest.raises(TypeError, match="texture.method.*udcff"):
+        parameters["texture.method"] = "\udcff"
 
 
 def test_a_list_holds_numbers_and_no_more_than_it_may():

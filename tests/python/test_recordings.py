@@ -1,4 +1,5 @@
 """A recording read by the module and by h5py, which knows nothing of it: the same to the bit."""
+import os
 import struct
 import subprocess
 import sys
@@ -7,7 +8,7 @@ import zlib
 import h5py
 import numpy as np
 import pytest
-from conftest import GOLDEN
+from conftest import GOLDEN, changed_copy
 
 import fyd
 
@@ -209,6 +210,33 @@ def test_what_is_no_recording_is_named(tmp_path):
         fyd.open(other)
     with pytest.raises(fyd.Error):
         fyd.open(tmp_path)
+
+
+def fixed_text(file, name, text):
+    """Any bytes, which h5py would not write as a string."""
+    del file[name]
+    kind = h5py.h5t.C_S1.copy()
+    kind.set_size(len(text))
+    kind.set_strpad(h5py.h5t.STR_NULLPAD)
+    kind.set_cset(h5py.h5t.CSET_UTF8)
+    made = h5py.h5d.create(file.id, name.encode(), kind, h5py.h5s.create(h5py.h5s.SCALAR))
+    made.write(h5py.h5s.ALL, h5py.h5s.ALL, np.array(text, f"S{len(text)}"), mtype=kind)
+
+
+def test_bytes_that_are_no_text_are_shown_all_the_same(tmp_path):
+    path = os.path.join(os.fsencode(tmp_path), b"x\xff.h5")
+    with changed_copy(GOLDEN / "changes.h5", path, "notes/text") as file:
+        for name, text in (("operator", b"Zo\xeb"), ("notes", b"Zo\xeb"), ("tags", b"Zo\xeb\n")):
+            fixed_text(file, f"header/{name}", text)
+        file["notes/text"][1:2] = 0xFF
+    with fyd.open(os.fsdecode(path)) as recording:
+        assert (recording.info.operator, recording.info.notes, recording.info.tags) == ("Zo�", "Zo�", ["Zo�"])
+        notes = recording.notes
+    assert notes[0].text[1] == "�" and "�" not in notes[0].text[2:] + notes[1].text
+    with pytest.raises(fyd.Error, match="x�.h5: is closed"):
+        _ = recording.telemetry["finger_x_mm"]
+    with pytest.raises(fyd.Error, match="y�.h5"):
+        fyd.open(os.fsdecode(path.replace(b"x", b"y")))
 
 
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.5, 0.9, 0.999])

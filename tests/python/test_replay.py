@@ -181,6 +181,13 @@ def test_inputs_of_a_wrong_type_or_number_are_named():
         inputs.finger.x_mm = "here"
     with pytest.raises(TypeError, match="x_inch.*x_mm"):
         inputs.finger.set(0, x_inch=1)
+    inputs.bridge.set(5, value_mV_per_V=0.2)
+    before = inputs.bridge.as_dict()
+    with pytest.raises(TypeError, match="typo.*value_mV_per_V"):
+        inputs.bridge.set(7, value_mV_per_V=0.1, typo=1)
+    with pytest.raises(TypeError, match="value_mV_per_V"):
+        inputs.bridge.set(7, value_mV_per_V="much")
+    assert inputs.bridge.as_dict() == before  # nothing of it was taken
     with pytest.raises(TypeError, match="now_ns"):
         fyd.Inputs(now_ns=1.5)
     with pytest.raises(fyd.InvalidValue, match="counts: 9 items; at most 8"):

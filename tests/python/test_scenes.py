@@ -82,6 +82,28 @@ def test_a_scene_is_stepped(tmp_path):
     assert not scene.step([math.nan, 0, 0], 1.0).touching
 
 
+def test_another_way_begins_with_a_reset():
+    """What comes again at the same times would be felt as the last place of the way before."""
+    scene = fyd.Scene.open(str(ROOT / "resources/scenes/echography.toml"))
+    way, times = press(np.linspace(-2, 3, 300)), np.arange(300) * 0.001
+    first = scene.run(way, times)
+    assert first["touching"].any()
+    with pytest.raises(fyd.InvalidValue, match=r"time_s: row 0 is 0 s; expected more than 0\.299 s, the last step's, or reset\(\)"):
+        scene.run(way, times)
+    scene.reset()
+    again = scene.run(way, times)
+    assert all(first[name].tobytes() == again[name].tobytes() for name in first)
+    after = scene.run(way[-2:], [0.3, math.nan])  # goes on; what has no time touches nothing
+    assert after["touching"].tolist() == [True, False]
+    for wrong, row in (([0.4, 0.4], 1), ([0.5, math.nan, 0.45], 2), ([0.3, 0.6], 0)):
+        with pytest.raises(fyd.InvalidValue, match=f"time_s: row {row} is {wrong[row]:g} s"):
+            scene.run(way[:len(wrong)], wrong)
+    assert scene.run(way[-1:], [0.35])["touching"].all()  # a refused way was not begun
+    scene.step(way[-1], 0.7)
+    with pytest.raises(fyd.InvalidValue, match=r"more than 0\.7 s"):
+        scene.run(way[-1:], [0.65])
+
+
 @pytest.mark.parametrize("name", ["echography", "fencing", "tennis"])
 def test_the_scenes_that_come_along_run(name):
     scene = fyd.Scene.open(str(ROOT / f"resources/scenes/{name}.toml"))

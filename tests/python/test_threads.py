@@ -48,7 +48,12 @@ def scene_run():
     scene = fyd.Scene.open(str(ROOT / "resources/scenes/echography.toml"))
     path = np.tile([1.0, 2.0, -1.0], (400_000, 1))
     times = np.arange(len(path)) * 0.001
-    return lambda: scene.run(path, times)
+
+    def work():
+        scene.reset()
+        scene.run(path, times)
+
+    return work
 
 
 def contact_run():

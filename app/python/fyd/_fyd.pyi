@@ -959,7 +959,7 @@ class RecordedStep:
 
 class RecordingFile:
     """An open recording: whole, growing, or left behind by a crash."""
-    def __init__(self, path: str) -> None:
+    def __init__(self, path: bytes) -> None:
         """Opens FILE or FILE.partial; FILE alone also finds FILE.partial beside it. Units: none."""
     def close(self) -> None:
         """Closes the file; the arrays that were read stay. Units: none."""
@@ -1286,12 +1286,17 @@ class Scene:
     @staticmethod
     def open(path: str, rate_Hz: float = 1000.0) -> Scene:
         """A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz]."""
+    def reset(self) -> None:
+        """Back to before the first step. Units: none."""
     def run(self, probe_mm: ArrayLike, time_s: ArrayLike) -> dict[str, Any]:
-        """A whole way [mm], shape (n, 3), at these times [s]; by name the columns of SceneTouch, in [N], [mm], [N/mm],
-        and texture_g [g] of a finger that slides. Other threads go on meanwhile.
+        """A whole way [mm], shape (n, 3), at these times [s], each after the one before and after the last step; by name
+        the columns of SceneTouch, in [N], [mm], [N/mm], and texture_g [g] of a finger that slides. Goes on where the
+        last step ended: for another way from time 0, reset() first. Other threads go on meanwhile.
         """
     def step(self, probe_mm: ArrayLike, time_s: float) -> SceneTouch:
-        """The haptic point is at probe_mm [mm] at time_s [s]. A place or a time that is no number touches nothing."""
+        """The haptic point is at probe_mm [mm] at time_s [s]. A place or a time that is no number touches nothing; a
+        time that is not after the last step's gives what was felt there.
+        """
 
 class SceneTouch:
     """What the haptic point of a scene feels."""
