@@ -31,7 +31,7 @@ struct CouplingSettings {
 struct CouplingMessage {
   double date_s = 0.0;  ///< the sender's; messages older than the newest are ignored
   double position_m = 0.0;
-  double energy_J = 0.0;  ///< that has flowed into the network at this end, never less than before
+  double energy_J = 0.0;  ///< that has flowed into the network at this end since it linked
   bool touching = false;  ///< the far end: something is touched
   bool knows_surface = false;
   double surface_m = 0.0;  ///< where it begins

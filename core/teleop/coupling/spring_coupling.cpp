@@ -13,8 +13,14 @@ void SpringEnd::receive(const CouplingMessage& message) {
   heard_date_s_ = message.date_s;
   other_m_ = message.position_m;
   if (!std::isfinite(message.energy_J)) return;
-  const double most_J = other_energy_J_ + kMostPower_W * std::min(since_s, 1.0);
-  other_energy_J_ = std::clamp(message.energy_J, other_energy_J_, most_J);
+  // Less than before: the other end has linked anew and counts from nothing.
+  if (!told_J_ || message.energy_J < *told_J_) {
+    told_J_ = message.energy_J;
+    return;
+  }
+  const double more_J = std::min(message.energy_J - *told_J_, kMostPower_W * std::min(since_s, 1.0));
+  *told_J_ += more_J;
+  other_energy_J_ += more_J;
 }
 
 double SpringEnd::step(const EndState& state) {

@@ -1,6 +1,9 @@
 // The paper's coupling as printed, and the same with time-domain passivity (coupling.h).
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "core/teleop/coupling/coupling.h"
 
 namespace fyd::teleop {
@@ -29,7 +32,8 @@ class SpringEnd final : public CouplingEnd {
   bool heard_ = false;
   double heard_date_s_ = 0.0;
   double other_m_ = 0.0;
-  double other_energy_J_ = 0.0;
+  std::optional<double> told_J_;  ///< of what the other end tells: as far as it is counted
+  double other_energy_J_ = 0.0;   ///< put in there since the first message here
   bool begun_ = false;
   double time_s_ = 0.0, position_m_ = 0.0;
   double force_N_ = 0.0;  ///< of the spring, into the network

@@ -128,17 +128,19 @@ TEST(ModelCoupling, WhateverAPeerClaimsTheHandGetsNoEnergy) {
 }
 
 TEST(SpringCoupling, APeerThatLiesAboutItsEnergyIsBelievedOnlyWhatAHandCanDo) {
-  // The far end claims a gigajoule and pulls the hand for ever.
+  // The far end claims a gigawatt and pulls the hand with 150 W for three seconds.
   SpringEnd end(SpringEnd::Side::hand, true, {});
   double x = 0.0, energy_J = 0.0;
-  constexpr double v = -0.1;
   for (int i = 0; i < 3000; ++i) {
     const double t = i * kStep_s;
-    if (i % 10 == 0) end.receive({.date_s = t, .position_m = x - 0.015, .energy_J = i % 20 == 0 ? 1e9 : kNaN});
-    energy_J += end.step({.time_s = t, .position_m = x, .velocity_m_per_s = v}) * v * kStep_s;
-    x += v * kStep_s;
+    end.receive({.date_s = t, .position_m = x - 0.015, .energy_J = i % 10 == 5 ? kNaN : 1e9 * t});
+    energy_J += end.step({.time_s = t, .position_m = x, .velocity_m_per_s = -10.0}) * -10.0 * kStep_s;
+    x += -10.0 * kStep_s;
   }
-  EXPECT_GE(energy_J, -SpringEnd::kMostPower_W * 3.0);
+  EXPECT_GE(energy_J, -SpringEnd::kMostPower_W * 3.0 - 0.2);  // and a step's
+  EXPECT_LE(energy_J, -0.8 * SpringEnd::kMostPower_W * 3.0);
+  x = 0.0;
+  constexpr double v = -0.1;
   // And one that claims nothing gives nothing.
   SpringEnd honest(SpringEnd::Side::hand, true, {});
   energy_J = 0.0;
@@ -149,6 +151,28 @@ TEST(SpringCoupling, APeerThatLiesAboutItsEnergyIsBelievedOnlyWhatAHandCanDo) {
     x += v * kStep_s;
   }
   EXPECT_GE(energy_J, -1e-3);
+}
+
+// Only what is put in from there on may come out.
+TEST(SpringCoupling, AnAccountThatTheOtherEndBeginsAnewGoesOnHere) {
+  for (const bool here : {false, true}) {  // which end linked anew: this one, which is told of much, or the other
+    SpringEnd end(SpringEnd::Side::far, true, {});
+    double t = 0.0, x = 0.0, told_J = here ? 5.0 : 0.0;
+    const auto pull = [&](double seconds, double power_W) {  // energy given to the device
+      double given_J = 0.0;
+      for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep_s)); ++i, t += kStep_s) {
+        told_J += power_W * kStep_s;
+        end.receive({.date_s = t, .position_m = x + 0.010, .energy_J = told_J});
+        const double force_N = end.step({.time_s = t, .position_m = x, .velocity_m_per_s = 0.1});
+        given_J += (force_N + CouplingSettings{}.damping_N_s_per_m * 0.1) * 0.1 * kStep_s;
+        x += 0.1 * kStep_s;
+      }
+      return given_J;
+    };
+    EXPECT_NEAR(pull(2.0, 0.5), 1.0, 0.01) << here;  // it would give 2 J
+    told_J = 0.0;
+    EXPECT_NEAR(pull(2.0, 0.5), 1.0, 0.01) << here;
+  }
 }
 
 // No force is exerted while nothing is measured, so none works, however far the device is when it measures again.
