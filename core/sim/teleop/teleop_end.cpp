@@ -156,7 +156,7 @@ Vec3 TeleopEnd::step(const DeviceState& device, double now_s) {
   other_mm_ = smooth_.step(now_s, predictor_->predict(now_s), predictor_->velocity(now_s));
   other_orientation_ = turning_.predict(now_s);
   if (!apart_known_) {
-    for (std::size_t a = 0; a < 3; ++a) apart_mm_[a] = settings_.at_hand ? 0.0 : own[a] - other_mm_[a];
+    for (std::size_t a = 0; a < 3; ++a) apart_mm_[a] = own[a] - other_mm_[a];
     apart_known_ = true;
     stepped_s_ = now_s;
   }

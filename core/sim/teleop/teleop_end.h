@@ -3,7 +3,8 @@
 // Sockets and clocks are the caller's. The ends are linked while both run and receive each other's messages: an end may
 // be started and stopped in any order, any number of times, and may vanish. An end that is not linked exerts no
 // coupling force; a far device then only brakes. Received positions are predicted to the present, smoothed, and given
-// to the coupling of each axis. The far device's distance from the hand at the moment of linking is reduced at 50 mm/s.
+// to the coupling of each axis. Both ends take up the distance between them at the moment of linking at 50 mm/s, so that
+// no force begins with a jump.
 //
 // With a deadband an end sends only what can be felt (teleop/deadband.h): its position and its force, and a changed
 // surface. The receiver knows values that were not sent to within the band, and gives its predictor a position each

@@ -151,14 +151,18 @@ TEST(TeleopEnd, WhileLinkingTheDistanceIsClosedSlowlyNotInAJump) {
   pair.hand.device.position_mm = {40.0, 0.0, 0.0};
   pair.hand.end.start(1);
   pair.far.end.start(2);
-  double before = 0.0, most = 0.0;
+  double before = 0.0, most = 0.0, hand_before = 0.0, hand_most = 0.0;
   for (int i = 0; i < 2000; ++i) {
     pair.run(1);
     most = std::max(most, std::abs(pair.far.force_N.x - before));
     before = pair.far.force_N.x;
+    hand_most = std::max(hand_most, std::abs(pair.hand.force_N.x - hand_before));
+    hand_before = pair.hand.force_N.x;
   }
   EXPECT_LE(most, 0.1);  // 50 mm/s · 1000 N/m · 1 ms is 0.05 N
+  EXPECT_LE(hand_most, 0.1);
   EXPECT_GT(before, 5.0);
+  EXPECT_LT(hand_before, -5.0);
 }
 
 TEST(TeleopEnd, AMessageOfTheStartBeforeLinksNobodyAgain) {
