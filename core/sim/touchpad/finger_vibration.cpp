@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kVibrationParts = 20;  // of a millisecond
 constexpr double kPart_s = 1e-3 / kVibrationParts;
+// With a damping ratio of 2 the integration diverges from 1.5 kHz on.
+constexpr double kLowestResonance_Hz = 5.0, kHighestResonance_Hz = 1000.0;
 constexpr double kSlack = 1e-3;  // of the stall torque: a lower tension does not close the backlash
 constexpr double kRadians = std::numbers::pi / 180.0;
 
@@ -73,7 +75,8 @@ void FingerVibration::follow(std::size_t i) {
 double FingerVibration::step(const std::array<double, control::kMotorCount>& duty_percent, double force_N) {
   const double loaded = force_N > 0.0 ? std::pow(force_N, -p_.finger_loading) : 1.0;
   const double resonance_Hz =
-      std::max(5.0, (p_.resonance_Hz + p_.resonance_Hz_per_deg * (stretch_deg() - kReferenceStretch_deg)) * loaded);
+      std::clamp((p_.resonance_Hz + p_.resonance_Hz_per_deg * (stretch_deg() - kReferenceStretch_deg)) * loaded,
+                 kLowestResonance_Hz, kHighestResonance_Hz);
   const double w = 2.0 * std::numbers::pi * resonance_Hz;
   double sum_mm_s2 = 0.0;
   for (int part = 0; part < kVibrationParts; ++part) {

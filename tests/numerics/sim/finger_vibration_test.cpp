@@ -99,6 +99,31 @@ TEST(FingerVibration, PreslidingIsASpringUntilItSlides) {
   EXPECT_NEAR(plant.motor_deg()[0], 0.0, 0.003);
 }
 
+// A light touch raises the resonance of a cloth that is loaded by its finger without a bound.
+TEST(FingerVibration, AtTheCornersOfItsResonanceALightTouchStaysFinite) {
+  for (int corner = 0; corner < 64; ++corner) {
+    const auto pick = [&](int bit, double low, double high) { return (corner >> bit) % 2 == 0 ? low : high; };
+    FingerVibrationParameters p;
+    p.resonance_Hz = pick(0, 5.0, 400.0);
+    p.damping = pick(1, 0.02, 2.0);
+    p.resonance_Hz_per_deg = pick(2, -5.0, 5.0);
+    p.finger_loading = pick(3, 0.0, 1.0);
+    p.presliding_deg = pick(4, 0.0, 0.5);
+    FingerVibration plant(p, pick(5, 0.0, 90.0));
+    unsigned state = 1;
+    double most_g = 0.0;
+    for (int n = 0; n < 500; ++n) {
+      state = state * 1664525U + 1013904223U;
+      const double duty = 200.0 * static_cast<double>(state >> 8) / static_cast<double>(1U << 24) - 100.0;
+      const double force_N = 1e-3 * std::min(n, 50) / 50.0;
+      const double finger_g = plant.step({duty, duty}, force_N);
+      ASSERT_TRUE(std::isfinite(finger_g)) << corner << ", after " << n << " ms";
+      most_g = std::max(most_g, std::abs(finger_g));
+    }
+    EXPECT_LT(most_g, 1000.0) << corner;
+  }
+}
+
 TEST(FingerVibration, DutiesThatAreNoNumbersCountAsNothing) {
   FingerVibration plant({}, 45.0);
   for (int n = 0; n < 100; ++n) ASSERT_NEAR(plant.step({kNaN, -kNaN}), 0.0, 1e-9);
