@@ -46,6 +46,7 @@ struct TouchpadReception {
   pipeline::RobotCommand command = pipeline::RobotCommand::none;  ///< for the pipeline to act upon
   std::optional<pipeline::RobotMotorReference> motor_reference;
   Batch<Datagram, kMaximumReplies> replies;  ///< send all, in this order
+  bool image_used = false;                   ///< the answer's picture is in the replies, or too large for them
 
   void clear() {
     session_started = false;
@@ -55,6 +56,7 @@ struct TouchpadReception {
     command = pipeline::RobotCommand::none;
     motor_reference.reset();
     replies.clear();
+    image_used = false;
   }
 };
 

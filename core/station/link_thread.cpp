@@ -75,6 +75,17 @@ protocol::TouchpadAnswer LinkThread::answerFrom(const Announcement& said) const 
           .image = image_};
 }
 
+void LinkThread::takeImage() {
+  const std::lock_guard lock(image_mutex_);
+  if (!end_->imagesOn()) {  // a picture of now would be an old one when they are wanted again
+    image_.clear();
+    offered_image_.clear();
+  } else if (!offered_image_.empty()) {
+    image_.swap(offered_image_);
+    offered_image_.clear();
+  }
+}
+
 void LinkThread::run(const std::stop_token& stop, bool clock_waits) {
   askForRealTime(Urgency::link);
   ClockHold hold(clock_waits);
@@ -86,18 +97,15 @@ void LinkThread::run(const std::stop_token& stop, bool clock_waits) {
     hold.until(now + kLinkLateness);
     const Announcement& said = announcement.read();
     if (received) {
-      if (end_->imagesOn()) {
-        const std::lock_guard lock(image_mutex_);
-        image_.swap(offered_image_);
-        offered_image_.clear();
-      }
+      takeImage();
       const auto& reception = end_->handle({buffer.data(), received->size}, received->from, now, answerFrom(said));
       send(reception.replies.view());
       take(reception, now);
+      if (reception.image_used) image_.clear();
     }
     const pipeline::LinkPhase before = end_->phase();
     send(end_->advance(now, answerFrom(said)));
-    if (secured_) image_.clear();  // it is sent once; the classic protocol wants it with each touch
+    if (secured_) image_.clear();  // FYD Link sends it without a request
     if (end_->phase() == pipeline::LinkPhase::lost && before != pipeline::LinkPhase::lost) ++newest_.losses;
     newest_.phase = end_->phase();
     snapshot.write(newest_);

@@ -89,6 +89,7 @@ class LinkThread {
  private:
   LinkThread(protocol::UdpSocket socket, std::unique_ptr<protocol::TouchpadEnd> end, bool secured, std::string scene);
   [[nodiscard]] protocol::TouchpadAnswer answerFrom(const Announcement& said) const;
+  void takeImage();
   void run(const std::stop_token& stop, bool clock_waits);
   void take(const protocol::TouchpadReception& reception, Instant now);
   void send(std::span<const protocol::Datagram> datagrams);
@@ -103,7 +104,7 @@ class LinkThread {
   std::atomic<bool> wants_images_{false};
   std::mutex image_mutex_;
   std::vector<std::uint8_t> offered_image_;
-  std::vector<std::uint8_t> image_;  // the link thread's own
+  std::vector<std::uint8_t> image_;  // the link thread's own: the newest that has not been sent
   std::uint64_t lost_samples_ = 0;
   std::uint64_t send_failures_ = 0;
   device::PartMonitor monitor_;

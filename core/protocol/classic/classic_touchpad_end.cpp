@@ -213,6 +213,7 @@ void ClassicTouchpadEnd::replyInfo(const TouchpadAnswer& answer) {
 
 void ClassicTouchpadEnd::replyImage(const TouchpadAnswer& answer) {
   Bytes rest = answer.image.size() <= kClassicMaximumImage ? answer.image : Bytes{};
+  reception_.image_used = true;
   image_length_ = encodeImageLength(rest.size());
   reply(image_length_, *peer_);
   if (!rest.empty()) ++counters_.images;

@@ -1,6 +1,7 @@
 // What the haptic loop is told of a link that changes faster than it looks: a robot by hand, over real sockets.
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -17,16 +18,16 @@ using std::chrono::milliseconds;
 
 class LinkOfARobot : public testing::Test {
  protected:
-  LinkOfARobot()
+  explicit LinkOfARobot(const protocol::LinkParameters& parameters = {})
       : robot(*protocol::UdpSocket::open(*protocol::parseEndpoint("127.0.0.2:0"))),
-        link(*LinkThread::open(*protocol::parseEndpoint("127.0.0.1:0"), {})) {
+        link(*LinkThread::open(*protocol::parseEndpoint("127.0.0.1:0"), parameters)) {
     link->start();
   }
   void say(std::span<const std::uint8_t> bytes) { robot.send(bytes, link->local()); }
   /// Says a state until it is answered, which the end does at once.
-  void state() {
+  void state(pipeline::RobotCommand command = pipeline::RobotCommand::none) {
     std::vector<std::uint8_t> buffer(protocol::kMaximumDatagram);
-    const auto bytes = protocol::encodeState({.robot = {.stiffness_N_per_mm = 0.5}});
+    const auto bytes = protocol::encodeState({.command = command, .robot = {.stiffness_N_per_mm = 0.5}});
     while (robot.receive(buffer, Duration::zero())) continue;
     EXPECT_TRUE(comesTrue("an answer", [&] {
       say(bytes);
@@ -58,6 +59,46 @@ TEST_F(LinkOfARobot, AnotherRobotIsTold) {
   EXPECT_EQ(link->snapshot.read().sessions, 1U);
   running();
   EXPECT_EQ(link->snapshot.read().sessions, 2U);
+}
+
+protocol::LinkParameters withImages() {
+  protocol::LinkParameters out;
+  out.classic_images = true;
+  return out;
+}
+
+class PicturesOfARobot : public LinkOfARobot {
+ protected:
+  PicturesOfARobot() : LinkOfARobot(withImages()) {}
+  /// Of one state: the picture among its answers, up to the last of them; nothing while there is no answer.
+  std::optional<std::vector<std::uint8_t>> pictureAfterAState() {
+    std::vector<std::uint8_t> buffer(protocol::kMaximumDatagram), out;
+    while (robot.receive(buffer, Duration::zero())) continue;
+    say(protocol::encodeState({.robot = {.stiffness_N_per_mm = 0.5}}));
+    for (;;) {
+      const auto got = robot.receive(buffer, kPatience);
+      if (!got) return std::nullopt;
+      const std::span bytes(buffer.data(), got->size);
+      if (const auto length = protocol::decodeImageLength(bytes); length.ok() && length.value == 0) return out;
+      if (got->size == protocol::kClassicTouchSize || got->size == protocol::kClassicImageLengthSize) continue;
+      out.insert(out.end(), bytes.begin(), bytes.end());
+      return out;
+    }
+  }
+};
+
+TEST_F(PicturesOfARobot, APictureGoesOutOnceWhoeverElseSpeaksBefore) {
+  running();
+  state(pipeline::RobotCommand::images_on);
+  ASSERT_TRUE(comesTrue("the wish for pictures", [&] { return link->wantsImages(); }));
+  const std::vector<std::uint8_t> picture(777, 42);
+  link->offerImage(picture);
+  auto stranger = std::move(*protocol::UdpSocket::open(*protocol::parseEndpoint("127.0.0.3:0")));
+  const auto refused = link->status().refused;
+  stranger.send(picture, link->local());
+  ASSERT_TRUE(comesTrue("the stranger to be refused", [&] { return link->status().refused > refused; }));
+  EXPECT_EQ(pictureAfterAState(), picture);
+  EXPECT_EQ(pictureAfterAState(), std::vector<std::uint8_t>{});
 }
 
 TEST(SeenPhase, ALossAndANewSessionAreSeenForAStepEach) {
