@@ -16,6 +16,7 @@
 #include "app/console/window/places.h"
 #include "app/console/window/start.h"
 #include "core/base/end_signals.h"
+#include "core/device/camera/capture_camera.h"
 #include "core/station/profile/replace_file.h"
 
 namespace {
@@ -87,6 +88,7 @@ int main(int argc, char** argv) {
   const auto start = fyd::console::readStart(*options, profile_path, memory);
   if (!start) return complain(start.error().message, 2);
   fyd::watchForEnd();
+  fyd::device::prepareCaptures();  // the session may be opened later, beside the threads of the window
   auto opened = fyd::console::openStart(*start);
   if (!opened) return complain(opened.error().message, 1);
 

@@ -128,11 +128,11 @@ Station::Station(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Station::~Station() { shutDown(); }
 
 Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
+  device::prepareCaptures();
   StationOptions options = withProfileSources(asked);
   if (options.camera.empty() && replay::recordingOf(options.touchpad)) options.camera = options.touchpad;
   const auto bound = bindToTouchpad(options);
   if (!bound) return tl::unexpected(bound.error());
-  device::prepareCaptures();
   if (const auto loaded = codecs::load(); !loaded) return tl::unexpected(loaded.error());  // not in the camera's thread
   cv::setNumThreads(1);  // replay must not depend on how many cores there are
   auto finger = readFinger(options.finger_csv);
