@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <mutex>
+
 #include <opencv2/core/utility.hpp>
 
 #include "core/base/codecs/codecs.h"
@@ -61,10 +63,11 @@ struct Station::Impl {
   void onPicture(const CameraView& view);
   /// Of a real one, by the serial number that it has told; empty: none yet.
   [[nodiscard]] std::string nameOfTouchpad() const;
-  /// What the recorder asks for while the operator's thread waits for it, and of the link once a second.
+  /// What the recorder's thread asks for when a recording begins, and of the link once a second.
   [[nodiscard]] recording::StationSource recorderSource();
 
-  Profile profile;               // the operator's thread's: with every change asked for
+  std::mutex profile_mutex;      // of writing to it, and of reading it on another thread than the operator's
+  Profile profile;               // with every change asked for; only the operator's thread writes
   std::vector<Parameter> bound;  // to it
   const std::string motors;      // as in the options
   Message notice;                // of whose calibrated values the profile has; said once
@@ -105,7 +108,10 @@ std::string Station::Impl::nameOfTouchpad() const {
 recording::StationSource Station::Impl::recorderSource() {
   return {.profile =
               [this](const pipeline::Parameters& step) {
-                Profile recorded = profile;
+                Profile recorded = [this] {
+                  const std::lock_guard lock(profile_mutex);
+                  return profile;
+                }();
                 recorded.step = step;
                 recorded.sources.camera = device::withoutSecrets(recorded.sources.camera);
                 return formatProfile(bindParameters(recorded));
@@ -222,7 +228,10 @@ Result<void> Station::setParameter(std::string_view id, double value) {
   if (auto checked = checkParameter(*parameter, value); !checked) return tl::unexpected(checked.error());
   const auto index = static_cast<std::uint16_t>(parameter - impl_->bound.data());
   if (!impl_->haptic.changes.push({.index = index, .value = value})) return fail("{}: too many changes at once", id);
-  parameter->set(value);
+  {
+    const std::lock_guard lock(impl_->profile_mutex);
+    parameter->set(value);
+  }
   if (id.starts_with("sensing.finger_")) impl_->camera.configure(impl_->profile.step.sensing.finger);
   return {};
 }
@@ -258,6 +267,7 @@ std::vector<Notice> Station::takeNotices() {
                    .lateness = blameOf(event.event, event.lateness)});
     // What the robot's operator changed belongs to the profile as well.
     if (event.event.kind == pipeline::EventKind::parameter_changed && event.event.index < impl_->bound.size()) {
+      const std::lock_guard lock(impl_->profile_mutex);
       impl_->bound[event.event.index].set(event.event.value);
     }
   }

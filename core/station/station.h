@@ -95,7 +95,7 @@ class Station {
   /// the operator's thread at least every 10 s, or rows are lost.
   [[nodiscard]] std::vector<texture::SweepRow> deviceTestSweep();
 
-  /// Recording, from the operator's thread. The file starts up to
+  /// Recording, from one thread, the operator's or another. The file starts up to
   /// session.pre_trigger_s (10 s by default) before this call.
   /// @return an error at once when the file cannot be made, or one is being recorded; nothing then changes
   [[nodiscard]] Result<void> startRecording(const recording::RecordingRequest& request);

@@ -2,6 +2,7 @@
 // of events; a wait ends as soon as its condition holds.
 #include "core/station/station.h"
 
+#include <atomic>
 #include <functional>
 #include <thread>
 
@@ -12,6 +13,7 @@
 #include "core/protocol/udp_socket.h"
 #include "core/sim/robot/robot_arm.h"
 #include "core/station/touchpad_thread.h"
+#include "tests/temporary_folder.h"
 #include "tests/wait.h"
 
 namespace fyd::station {
@@ -322,6 +324,40 @@ TEST(Station, LiveParametersReachTheStepAndWrongOnesAreRefused) {
                                [](const Notice& notice) { return notice.message.text() == "texture.k_vib is now 2."; });
   }));
   EXPECT_EQ(station->currentProfile().step.texture.k_vib, 2.0);
+}
+
+// The recorder's thread writes the profile into each file while the operator's thread goes on changing it.
+TEST(Station, ValuesChangeWhileRecordingsBegin) {
+  const Folder folder;
+  StationOptions options;
+  options.robot = "none";
+  auto station = opened(options);
+  station->start();
+  int recorded = 0;
+  std::atomic<bool> over{false};
+  std::jthread recording([&] {
+    for (int i = 0; i < 5; ++i) {
+      const auto begun = station->startRecording({.path = folder.file(fmt::format("{}.h5", i))});
+      EXPECT_TRUE(begun) << begun.error().text();
+      const auto ended = station->stopRecording();
+      EXPECT_TRUE(ended) << ended.error().text();
+      ++recorded;
+    }
+    over = true;
+  });
+  double value = 1.0;
+  EXPECT_TRUE(comesTrue("five recordings", [&] {
+    const double next = value < 2.0 ? value + 0.1 : 1.0;
+    if (station->setParameter("texture.k_vib", next)) value = next;
+    (void)station->takeNotices();
+    return over.load();
+  }));
+  recording.join();
+  EXPECT_EQ(recorded, 5);
+  EXPECT_TRUE(comesTrue("the last change", [&] {
+    (void)station->takeNotices();
+    return station->currentProfile().step.texture.k_vib == value;
+  }));
 }
 
 TEST(CommandGuard, SilenceOfTheLoopStopsTheVibrationAndKeepsTheReferences) {
