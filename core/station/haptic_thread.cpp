@@ -1,9 +1,9 @@
 #include "core/station/haptic_thread.h"
 
+#include "core/station/notice.h"
+
 namespace fyd::station {
 namespace {
-
-constexpr std::string_view kInputDelay = "texture.input_delay_ms";
 
 /// Of the board that has the longer one: which of the two drives the motors is not known here.
 Duration longestWatchdog(std::span<const Parameter> parameters) {

@@ -2,6 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/protocol/classic/classic_touchpad_end.h"
 #include "core/protocol/link/described_scene.h"
 #include "core/protocol/link/link_touchpad_end.h"
@@ -12,11 +15,16 @@ namespace {
 
 constexpr Duration kPatience = std::chrono::milliseconds(1);      // also how late a lost link may be noticed
 constexpr Duration kLinkLateness = std::chrono::milliseconds(4);  // of this thread, where the clock waits for it
-constexpr Duration kStatusPeriod = std::chrono::milliseconds(50);
 constexpr double kDelayStep_ms = 5.0;
 constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
 
 }  // namespace
+
+double NeededDelay::add(double sample_delay_ms) {
+  needed_ms_[next_++ % kValues] =
+      std::isfinite(sample_delay_ms) ? kDelayStep_ms * std::ceil(sample_delay_ms / kDelayStep_ms) : 0.0;
+  return *std::ranges::min_element(needed_ms_);
+}
 
 Result<std::unique_ptr<LinkThread>> LinkThread::open(const protocol::Endpoint& local,
                                                      const protocol::LinkParameters& parameters,
@@ -110,7 +118,7 @@ void LinkThread::run(const std::stop_token& stop, bool clock_waits) {
     newest_.phase = end_->phase();
     snapshot.write(newest_);
     wants_images_.store(end_->imagesOn(), std::memory_order_relaxed);
-    if (now - published > kStatusPeriod) {
+    if (now - published > NeededDelay::kPeriod) {
       publish(now);
       published = now;
     }
@@ -143,9 +151,7 @@ void LinkThread::take(const protocol::TouchpadReception& reception, Instant now)
 
 void LinkThread::publish(Instant now) {
   const protocol::LinkFigures figures = end_->figures(now);
-  // In coarse steps, so that the texture's delay does not follow every small change of the network's delay.
-  newest_.sample_delay_ms =
-      std::isfinite(figures.sample_delay_ms) ? kDelayStep_ms * std::ceil(figures.sample_delay_ms / kDelayStep_ms) : 0.0;
+  newest_.sample_delay_ms = needed_delay_.add(figures.sample_delay_ms);
   const std::lock_guard lock(status_mutex_);
   status_.peer = end_->peer() ? protocol::toString(*end_->peer()) : "";
   status_.states_received = figures.states;

@@ -1,6 +1,7 @@
 // The link thread: owns the socket, answers the robot at once with the newest touch, passes on what it sends.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -37,6 +38,24 @@ struct LinkSnapshot {
   Timed<pipeline::RobotState> state;
   Timed<pipeline::RobotMotorReference> motor_reference;
   double sample_delay_ms = 0.0;  ///< how long the texture must wait for accelerations; 0: for none (classic)
+};
+
+/// How long the texture is to wait for accelerations. A wait that is raised stays, so one late moment must not raise it:
+/// the result is the least of what the last second's values ask for, in coarse steps, so that small changes of the
+/// network's delay are not followed.
+class NeededDelay {
+ public:
+  static constexpr std::size_t kValues = 20;
+  static constexpr Duration kPeriod = std::chrono::milliseconds(50);  ///< between two values
+  static_assert(kValues * kPeriod == std::chrono::seconds(1));
+
+  /// @param sample_delay_ms NaN: unknown, 0 is needed
+  /// @return 0 until there has been a second of values
+  [[nodiscard]] double add(double sample_delay_ms);
+
+ private:
+  std::array<double, kValues> needed_ms_{};
+  std::size_t next_ = 0;
 };
 
 /// The phase for one step after the other: a loss and a new session are seen for a step each, also when both were over
@@ -101,6 +120,7 @@ class LinkThread {
   std::string scene_;
   std::string board_text_;
   LinkSnapshot newest_;
+  NeededDelay needed_delay_;
   std::atomic<bool> wants_images_{false};
   std::mutex image_mutex_;
   std::vector<std::uint8_t> offered_image_;

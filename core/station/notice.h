@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/base/parameter.h"
 #include "core/base/time.h"
@@ -19,6 +20,9 @@ struct Notice {
   bool of_step = true;  ///< false: about the session, a warning without an event
   Message lateness;     ///< of this computer, where it may be why the state is Held; empty: it was on time
 };
+
+/// The station raises it where the link needs it, in this session: what it tells of it does not change the profile.
+inline constexpr std::string_view kInputDelay = "texture.input_delay_ms";
 
 /// @param parameters the step's, for the names behind indices
 /// @param lateness of this computer in the second before: what went missing then is blamed on it, not on a cable

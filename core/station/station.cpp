@@ -265,10 +265,11 @@ std::vector<Notice> Station::takeNotices() {
                    .event = event.event,
                    .message = describeEvent(event.event, impl_->bound, event.lateness),
                    .lateness = blameOf(event.event, event.lateness)});
-    // What the robot's operator changed belongs to the profile as well.
+    // What the robot's operator changed belongs to the profile as well; what this session's network needs does not.
     if (event.event.kind == pipeline::EventKind::parameter_changed && event.event.index < impl_->bound.size()) {
+      const Parameter& changed = impl_->bound[event.event.index];
       const std::lock_guard lock(impl_->profile_mutex);
-      impl_->bound[event.event.index].set(event.event.value);
+      if (changed.id != kInputDelay) changed.set(event.event.value);
     }
   }
   return out;

@@ -65,7 +65,7 @@ class Station {
   void windowAlive();
   /// Checks against the parameter's description, then queues the change; from the operator's thread.
   [[nodiscard]] Result<void> setParameter(std::string_view id, double value);
-  /// The profile with every change made since (including tare); from the operator's thread.
+  /// The profile with every change that an operator made since (including tare); from the operator's thread.
   [[nodiscard]] Profile currentProfile() const;
 
   /// Moves telemetry into `out`, oldest first; one consumer. @return how many

@@ -74,7 +74,7 @@ void TuningBridge::hear(const pipeline::Event& event) {
     return;
   } else if (own) {
     model_.confirm(name, event.value);
-  } else {
+  } else if (name != station::kInputDelay) {  // that one the network's need has raised: it is not to be saved
     model_.accept(name, event.value);
   }
 }

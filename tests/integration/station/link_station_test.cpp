@@ -37,6 +37,7 @@ class LinkStation : public ::testing::Test {
 TEST_F(LinkStation, RunsWithARobotThatHasTheKeyAndHearsItsGoodbye) {
   auto station = std::move(*Station::open(options()));
   station->start();
+  ASSERT_TRUE(station->setParameter("texture.input_delay_ms", 2.0));
   auto arm = robot(*station, key_);
   std::jthread thread([&](const std::stop_token& stop) { arm->run(stop); });
   EXPECT_TRUE(
@@ -51,10 +52,11 @@ TEST_F(LinkStation, RunsWithARobotThatHasTheKeyAndHearsItsGoodbye) {
   // The texture waits for the link's batches of 10 ms: its delay is raised, and the operator is told.
   EXPECT_TRUE(comesTrue("the notice of a raised texture.input_delay_ms", [&] {
     for (const Notice& notice : station->takeNotices()) {
-      if (notice.message.text().starts_with("texture.input_delay_ms is now")) return true;
+      if (notice.message.text().starts_with("texture.input_delay_ms is now") && notice.event.value > 2.0) return true;
     }
     return false;
   }));
+  EXPECT_EQ(station->currentProfile().step.texture.input_delay_ms, 2.0);  // the operator's: the network's is not kept
   thread.request_stop();
   thread.join();
   EXPECT_TRUE(

@@ -1,6 +1,7 @@
 // What the haptic loop is told of a link that changes faster than it looks: a robot by hand, over real sockets.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/protocol/classic/classic_codec.h"
 #include "core/protocol/udp_socket.h"
 #include "core/station/link_thread.h"
+#include "tests/unit/protocol/link_pair.h"
 #include "tests/wait.h"
 
 namespace fyd::station {
@@ -99,6 +101,39 @@ TEST_F(PicturesOfARobot, APictureGoesOutOnceWhoeverElseSpeaksBefore) {
   ASSERT_TRUE(comesTrue("the stranger to be refused", [&] { return link->status().refused > refused; }));
   EXPECT_EQ(pictureAfterAState(), picture);
   EXPECT_EQ(pictureAfterAState(), std::vector<std::uint8_t>{});
+}
+
+// What the texture waits for stays raised, so only what lasts may raise it.
+TEST(NeededDelay, OneLateMomentOfTheNetworkRaisesNothingAndAWorseNetworkDoes) {
+  protocol::LinkPair pair;
+  NeededDelay needed;
+  double most_ms = 0.0, most_told_ms = 0.0, told_ms = 0.0;
+  const auto run = [&](double seconds) {
+    for (int i = 0; i < static_cast<int>(std::lround(20.0 * seconds)); ++i) {
+      pair.run(0.05);
+      const double figure_ms = pair.touchpad.figures(pair.now).sample_delay_ms;
+      told_ms = needed.add(figure_ms);
+      most_ms = std::max(most_ms, figure_ms);
+      most_told_ms = std::max(most_told_ms, told_ms);
+    }
+  };
+  ASSERT_TRUE(pair.connect());
+  run(0.9);
+  EXPECT_EQ(told_ms, 0.0);
+  run(3.0);
+  const double usual_ms = told_ms;
+  EXPECT_GE(usual_ms, 10.0);  // the batches'
+  EXPECT_LE(usual_ms, 15.0);
+  EXPECT_LT(most_ms, 100.0);
+  pair.weather.delay_ms = 400.0;  // for one heartbeat and one state
+  pair.run(0.01);
+  pair.weather.delay_ms = 1.0;
+  run(5.0);
+  EXPECT_GT(most_ms, 100.0);
+  EXPECT_EQ(most_told_ms, usual_ms);
+  pair.weather.delay_ms = 40.0;
+  run(3.0);
+  EXPECT_GE(told_ms, usual_ms + 35.0);
 }
 
 TEST(SeenPhase, ALossAndANewSessionAreSeenForAStepEach) {
