@@ -93,7 +93,7 @@ Result<void> TuningPresets::load(const QString& name) {
   if (!profile) return tl::unexpected(profile.error());
   std::vector<widgets::Setting> settings;
   for (const Parameter& parameter : bindParameters(*profile)) {
-    if (!parameter.info.live || !parameter.isNumber()) continue;
+    if (!station::isInPreset(parameter)) continue;
     settings.push_back({.id = std::string(parameter.id), .value = parameter.value()});
   }
   return model_.changeAll(tr("preset %1").arg(name), settings);

@@ -7,6 +7,7 @@
 #include "core/base/profile_text.h"
 #include "core/base/system_reason.h"
 #include "core/base/whole_file.h"
+#include "core/calibration/calibration_part.h"
 #include "core/station/profile/replace_file.h"
 
 namespace fyd::station {
@@ -16,6 +17,7 @@ constexpr std::size_t kLongestName_characters = 40;
 constexpr std::uintmax_t kLargestPreset_bytes = 1 << 20;
 constexpr std::string_view kEnding = ".toml";
 
+/// Presets of earlier versions hold these as well.
 bool isTuned(const Parameter& parameter) { return parameter.info.live && parameter.isNumber(); }
 
 std::filesystem::path fileOf(const std::string& folder, std::string_view name) {
@@ -55,10 +57,14 @@ std::vector<std::string> presetNames(const std::string& folder) {
   return out;
 }
 
+bool isInPreset(const Parameter& parameter) {
+  return isTuned(parameter) && calibration::calibratedBy(parameter.id).empty();
+}
+
 std::string formatPreset(const Profile& profile) {
   Profile copy = profile;  // binding wants a mutable instance
   std::vector<Parameter> tuned = bindParameters(copy);
-  std::erase_if(tuned, [](const Parameter& parameter) { return !isTuned(parameter); });
+  std::erase_if(tuned, [](const Parameter& parameter) { return !isInPreset(parameter); });
   return formatProfile(tuned);
 }
 
@@ -69,6 +75,7 @@ Result<Profile> parsePreset(std::string_view text, std::string_view source_name,
   const std::vector<Parameter> before = bindParameters(untouched);
   if (auto parsed = parseProfile(text, source_name, bound); !parsed) return tl::unexpected(parsed.error());
   for (std::size_t i = 0; i < bound.size(); ++i) {
+    if (isTuned(bound[i]) && !isInPreset(bound[i])) bound[i].set(before[i].value());
     if (!isTuned(bound[i]) && formatParameter(bound[i]) != formatParameter(before[i])) {
       return fail("{}: {} cannot change while the station runs; a preset holds live parameters only", source_name,
                   bound[i].id);

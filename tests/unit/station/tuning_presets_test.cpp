@@ -54,6 +54,24 @@ TEST_F(Presets, AParameterThatIsNotNamedStays) {
   EXPECT_EQ(read->step.control.ki_per_s, 9.0);
 }
 
+TEST_F(Presets, CalibratedValuesAreNotCarriedToAnotherTouchpad) {
+  Profile one;
+  one.step.control.kp = 0.5;
+  one.step.sensing.finger.threshold = 91;
+  const std::string text = formatPreset(one);
+  EXPECT_EQ(text.find("finger_threshold"), std::string::npos) << text;
+  EXPECT_EQ(text.find("measurement_bias"), std::string::npos) << text;
+
+  Profile other;
+  other.step.sensing.finger.threshold = 55;
+  // As an earlier version wrote it.
+  const auto read = parsePreset("[control]\nkp = 0.5\n[sensing]\nfinger_threshold = 91\n", "older", other);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->step.control.kp, 0.5);
+  EXPECT_EQ(read->step.sensing.finger.threshold, 55);
+  EXPECT_FALSE(parsePreset("[sensing]\nfinger_threshold = 900\n", "older", other));
+}
+
 TEST_F(Presets, ABadOneIsRefusedWithItsPlace) {
   const Profile base;
   for (const auto& [text, expected] : {std::pair{"[control]\nkp = -1\n", "p:2: control.kp"},
