@@ -257,6 +257,8 @@ class ReviewWorkTest : public QObject {
     f.waitForTouches();
     QVERIFY(f.page->title().contains(QStringLiteral("recorder crashed")));
     QVERIFY(f.page->recoverButton()->isVisible());
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("squeaks"));
+    QCOMPARE(f.page->notes()->rowCount(), 1);
     const QByteArray before = contentOf(file);
     const QStringList files = f.files();
 
@@ -274,6 +276,13 @@ class ReviewWorkTest : public QObject {
     WAIT_FOR(f.page->title().contains(QStringLiteral("· whole")));  // shown again, as it is now
     QVERIFY(!f.page->recoverButton()->isVisible());
     QCOMPARE(f.page->recording()->info().committed_samples, kRows);
+    // Notes that were written before stay in view, those of earlier versions too.
+    QCOMPARE(f.page->notes()->rowCount(), 1);
+    const QString whole = f.folder.filePath(QStringLiteral("killed.h5"));
+    QVERIFY(QFile::rename(whole + QStringLiteral(".notes.json"), file + QStringLiteral(".notes.json")));
+    QVERIFY(f.page->open(whole));
+    QCOMPARE(f.page->notes()->rowCount(), 1);
+    QCOMPARE(f.page->notes()->item(0, 2)->text(), QStringLiteral("squeaks"));
   }
 
   void damagedCommitsAreSaidAndRecovered() {
