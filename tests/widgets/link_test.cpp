@@ -172,6 +172,8 @@ class LinkTest : public QObject {
     QVERIFY(!form->predictor()->isVisible());
     form->setRobot(QStringLiteral("simulated:kalman"), {});
     QCOMPARE(form->robot(), QStringLiteral("simulated:kalman"));
+    form->setRobot(QStringLiteral("simulated"), {});
+    QCOMPARE(form->robot(), QStringLiteral("simulated"));
   }
 
   void everyPhaseHasItsOwnWords() {

@@ -159,8 +159,10 @@ void PicturePick::keyPressEvent(QKeyEvent* event) {
   if (picture_.isNull()) return;
   if (kind_ == PickKind::rectangle) {
     if (rectangle_.isEmpty()) return;
-    rectangle_.translate(by.toPoint());
-    rectangle_ &= picture_.rect();
+    const QSize room = (picture_.size() - rectangle_.size()).expandedTo(QSize(0, 0));
+    const QPoint to = rectangle_.topLeft() + by.toPoint();
+    rectangle_.moveTo(std::clamp(to.x(), 0, room.width()), std::clamp(to.y(), 0, room.height()));
+    rectangle_ &= picture_.rect();  // one that was larger than the picture
     update();
     emit rectanglePicked(rectangle_);
     return;

@@ -124,6 +124,7 @@ void RobotForm::setRobot(const QString& robot, const QString& key_file) {
     const bool with_address = word.endsWith(QLatin1Char(':'));
     if (with_address ? !robot.startsWith(word) : robot != word) continue;
     kind_->setCurrentIndex(i);
+    if (i == simulated) predictor_->setCurrentIndex(0);
     if (with_address) (i == scene ? scene_ : address_)->setText(robot.mid(word.size()));
   }
   if (!key_file.isEmpty()) key_->setText(key_file);
