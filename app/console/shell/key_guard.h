@@ -1,9 +1,12 @@
 // Esc stops from everywhere: from a field, an open list, a menu, a dialog. It is handled before any widget and then
 // passed on, so that it also closes what it usually closes. The space bar goes to the control that has the focus before
-// it goes to the window's shortcut.
+// it goes to the window's shortcut; one that is held down presses nothing anew. No dialog is the desktop's own, because
+// its keys do not come here.
 #pragma once
 
 #include <QObject>
+
+class QKeyEvent;
 
 namespace fyd::console {
 
@@ -18,6 +21,11 @@ class KeyGuard : public QObject {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  [[nodiscard]] bool isRepeat(const QKeyEvent& press) const;
+
+  quint64 space_released_ = 0;  ///< the system's time of it; 0: not yet, or not told
 };
 
 }  // namespace fyd::console
