@@ -1,5 +1,6 @@
 #include "app/console/tune/gain_study.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -40,7 +41,7 @@ GainStudy::GainStudy(const PageContext& context, widgets::TuningResponse* respon
     : QObject(parent), context_(context), model_(context.tuning.model()), response_(response), proposal_(proposal) {
   using widgets::TuningResponse;
   offerSources();
-  connect(&context_.connection, &ConnectionChange::arrived, this, &GainStudy::beginAnew);
+  connect(&context_.feed, &SessionFeed::restarted, this, &GainStudy::beginAnew);
   connect(&study_, &LoopStudy::respondingChanged, response_, &TuningResponse::setBusy);
   connect(&study_, &LoopStudy::responses, this,
           [this](const widgets::ResponseView& current, const widgets::ResponseView& saved) {
@@ -62,7 +63,7 @@ void GainStudy::offerSources() {
   proposal_->setSources(names);
 }
 
-/// What was found on the former touchpad is not proposed for another.
+/// What was found in the former session is not proposed for another: its touchpad or its calibration is another one.
 void GainStudy::beginAnew() {
   study_.cancel();
   study_.forget();
@@ -86,6 +87,8 @@ void GainStudy::connectProposal() {
     proposal_->clear(tr("Cancelled; nothing was changed."));
   });
   connect(proposal_, &widgets::TuningProposal::acceptAsked, this, &GainStudy::acceptProposal);
+  // Queued: the model drops its question before it applies what was asked about.
+  connect(&model_, &widgets::TuningModel::questionChanged, this, &GainStudy::hearAnswer, Qt::QueuedConnection);
   connect(proposal_, &widgets::TuningProposal::discardAsked, this,
           [this] { discardProposal(tr("Discarded; nothing was changed.")); });
 }
@@ -151,13 +154,28 @@ void GainStudy::acceptProposal() {
                   tr("The proposal was not taken: %1").arg(widgets::coreText(ok.error().message)));
     return;
   }
-  if (model_.question()) return;  // the proposal stays until it is answered
+  asked_ = model_.question().has_value();
+  if (!asked_) finishAccepted();  // otherwise the proposal stays until it is answered
+}
+
+void GainStudy::hearAnswer() {
+  if (!asked_ || model_.question()) return;
+  asked_ = false;
+  const bool applied = study_.proposal() && std::ranges::all_of(kTunedGains, [this](const TunedGain& gain) {
+                         const widgets::TunedParameter* tuned = std::as_const(model_).find(gain.id);
+                         return tuned != nullptr && tuned->value == study_.proposal()->proposed.*gain.field;
+                       });
+  if (applied) finishAccepted();
+}
+
+void GainStudy::finishAccepted() {
   response_->clearResponse(widgets::TuningResponse::proposed);
   proposal_->clear(tr("Accepted: the proposed values are in use. Undo takes them back, Save profile keeps them."));
   studyValues();
 }
 
 void GainStudy::discardProposal(const QString& words) {
+  asked_ = false;
   study_.discard();
   response_->clearResponse(widgets::TuningResponse::proposed);
   proposal_->clear(words);

@@ -31,6 +31,9 @@ class GainStudy : public QObject {
   void beginAnew();
   void showProposal(const widgets::ResponseView& response);
   void acceptProposal();
+  /// The question about the proposal is answered.
+  void hearAnswer();
+  void finishAccepted();
   void discardProposal(const QString& words);
 
   PageContext context_;
@@ -39,6 +42,7 @@ class GainStudy : public QObject {
   widgets::TuningProposal* proposal_ = nullptr;
   LoopStudy study_;
   std::vector<TuneSource> sources_;
+  bool asked_ = false;  ///< the proposal was accepted, and the model asks whether it is to be applied
   std::optional<control::LoopTiming> studied_with_;  ///< none: the motors had not answered
 };
 
