@@ -609,9 +609,88 @@ class CalibrateTest : public QObject {
       c.state(SafetyState::stopped);
       c.click(c.page->acceptButton());
       c.page->choose(QStringLiteral("stiffness"));
+      QVERIFY(c.page->points().empty());  // of the former cloth
+      c.click(c.page->simulateButton());
       QVERIFY2(!c.page->fitPanel()->verdict().contains(QLatin1String("never proven")),
                qPrintable(c.page->fitPanel()->verdict()));
     }
+  }
+
+  void pointsThatWereReadWithFormerValuesAreDiscardedAndNamed() {
+    Calibrating c("no-touch");
+    const auto told = [&c] {
+      QStringList out;
+      for (int i = 0; i < c.window->notices()->count(); ++i) out << c.window->notices()->text(i);
+      return out.join(QLatin1Char('|'));
+    };
+    const auto untouched = [&c] {
+      c.page->choose(QStringLiteral("no-touch"));
+      c.session->reports = {touchpad(0.03, sim::irCode(sim::irVolts(110.0)))};
+      c.state(SafetyState::stopped);
+      c.click(c.page->takeButton());
+      c.readings(551);  // 11 s, fifty times a second
+      QCOMPARE(c.page->points().size(), std::size_t{1});
+    };
+    const auto simulate = [&c](const char* part) {
+      c.page->choose(QLatin1String(part));
+      c.click(c.page->simulateButton());
+      QVERIFY2(!c.page->points().empty(), part);
+    };
+    const auto accept = [&c] {
+      c.window->notices()->dismissAll();
+      c.state(SafetyState::stopped);  // fitting may take longer than a station may be silent
+      QVERIFY2(c.page->acceptButton()->isEnabled(), qPrintable(c.page->fitPanel()->verdict()));
+      c.click(c.page->acceptButton());
+      QVERIFY2(c.page->points().empty(), qPrintable(c.page->hint()));
+    };
+    const QString discarded = QStringLiteral("read with the former values are discarded: take them again (%1");
+    untouched();
+    simulate("ir-1");
+    accept();
+    QVERIFY2(c.page->unfinished().isEmpty(), qPrintable(c.page->unfinished()));
+    QVERIFY2(told().contains(discarded.arg(QStringLiteral("No-touch offsets 1)"))), qPrintable(told()));
+    untouched();
+    simulate("stiffness");
+    simulate("load-cell");
+    accept();
+    QVERIFY2(c.page->unfinished().isEmpty(), qPrintable(c.page->unfinished()));
+    QVERIFY2(told().contains(discarded.arg(QStringLiteral("No-touch offsets 1, Stiffness map "))), qPrintable(told()));
+    // The stiffness map's points were read from other zeros than the new ones, of a calibration or a tare; the cloth's
+    // are counts.
+    simulate("cloth");
+    simulate("stiffness");
+    untouched();
+    accept();
+    QVERIFY2(told().contains(discarded.arg(QStringLiteral("Stiffness map "))), qPrintable(told()));
+    QVERIFY2(c.page->unfinished().contains(QStringLiteral("Cloth")), qPrintable(c.page->unfinished()));
+    simulate("stiffness");
+    c.window->frame()->go(QStringLiteral("operate"));
+    station::Notice tare{.message = say("Tare done")};
+    tare.event.kind = pipeline::EventKind::tare_done;
+    c.session->notices.push_back(tare);
+    c.window->feed().pump();
+    QVERIFY2(!c.page->unfinished().contains(QStringLiteral("Stiffness")), qPrintable(c.page->unfinished()));
+    QVERIFY2(c.page->unfinished().contains(QStringLiteral("Cloth")), qPrintable(c.page->unfinished()));
+  }
+
+  void nothingIsAcceptedWhileARecordingBegins() {
+    Calibrating c("load-cell");
+    c.click(c.page->simulateButton());
+    QTest::keyClick(c.window.get(), Qt::Key_R, Qt::ControlModifier);
+    widgets::RecordingForm* form = c.window->recording()->form();
+    form->operatorField()->setText(QStringLiteral("M. Muster"));
+    form->fileField()->setText(c.folder.filePath(QStringLiteral("one.h5")));
+    c.session->disk_waits = true;
+    c.click(form->startButton());
+    QVERIFY(!form->startButton()->isEnabled());
+    c.state(SafetyState::stopped);
+    c.click(c.page->acceptButton());
+    QVERIFY2(c.page->hint().contains(QStringLiteral("A recording is beginning")), qPrintable(c.page->hint()));
+    QCOMPARE(c.session->begun_anew, 0);
+    QVERIFY(!c.page->points().empty());
+    c.session->disk_waits = false;
+    WAIT_FOR(form->startButton()->isEnabled());
+    QCOMPARE(c.session->recordings.size(), std::size_t{1});
   }
 
   void theClothsRegionIsDragged() {
@@ -622,6 +701,12 @@ class CalibrateTest : public QObject {
     c.session->view.number = 1;
     c.window->feed().pump();
     widgets::PicturePick* image = c.page->picture();
+    image->setRectangle(QRect(5, 230, 200, 5));
+    for (int step = 0; step < 2; ++step) {  // at the picture's edge it stands, and keeps its size
+      QTest::keyClick(image, Qt::Key_Left, Qt::ShiftModifier);
+      QTest::keyClick(image, Qt::Key_Down, Qt::ShiftModifier);
+      QCOMPARE(image->rectangle(), QRect(0, 235, 200, 5));
+    }
     const auto at = [image](double x, double y) { return image->drawnAt({x, y}).toPoint(); };
     QTest::mousePress(image, Qt::LeftButton, {}, at(50, 60));
     QTest::mouseMove(image, at(200, 150));

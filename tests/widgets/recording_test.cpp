@@ -153,6 +153,17 @@ class RecordingTest : public QObject {
     f.session->refuses = false;
   }
 
+  void aRecordingThatHasEndedAgainIsNotSaidToBeUnderWay() {
+    RecordingFixture f;
+    f.session->recording_ends = true;
+    f.press(f.form->startButton());
+    QCOMPARE(f.told(), QStringLiteral("Not recording. The session has ended meanwhile."));
+    f.session->disk_throws = true;
+    f.press(f.form->startButton());
+    QCOMPARE(f.told(), QStringLiteral("Recording failed. bad disk by the script"));
+    QVERIFY(f.window->connection().hindrance() != console::ConnectionChange::recorderWaitsText());
+  }
+
   void aWindowClosedWhileARecordingBeginsClosesIt() {
     RecordingFixture f;
     f.session->disk_waits = true;

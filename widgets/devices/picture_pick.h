@@ -27,6 +27,7 @@ class PicturePick : public QWidget {
   void setMarks(std::vector<QPointF> marks);
   void setPlace(std::optional<QPointF> place_px);
   void setRectangle(const QRect& rectangle_px);
+  [[nodiscard]] const QString& emptyText() const { return empty_text_; }
   [[nodiscard]] const QImage& picture() const { return picture_; }
   [[nodiscard]] std::optional<QPointF> place() const { return place_; }
   [[nodiscard]] const QRect& rectangle() const { return rectangle_; }

@@ -71,11 +71,14 @@ CalibratePage::CalibratePage(const PageContext& context, QWidget* parent) : Page
   });
   connect(feed, &SessionFeed::notice, this, [this](const station::Notice& notice) {
     if (!notice.of_step || notice.event.kind != pipeline::EventKind::tare_done) return;
+    run_->forgetTared();
     if (!isVisible()) return;  // enter() takes the values in force
     run_->takeTare();
     refreshParts();
   });
   connect(feed, &SessionFeed::cameraMissing, picture_, &widgets::PicturePick::showMissing);
+  connect(feed, &SessionFeed::restarted, picture_,
+          [this] { picture_->showMissing(widgets::CameraImage::noneYet()); });  // the picture is of the former camera
   connect(&context_.connection, &ConnectionChange::arrived, this, &CalibratePage::changeDevices);
   refreshParts();
   parts_->setCurrentRow(0);
@@ -197,7 +200,6 @@ void CalibratePage::enter() {
 
 void CalibratePage::changeDevices() {
   run_->changeDevices();
-  picture_->setPicture({});  // of the former camera
   buttons_->simulate()->setVisible(context_.session.simulated());
   refreshParts();
   showStep(parts_->currentRow());

@@ -122,7 +122,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   const bool changed = calibration::applyChanges(bindParameters(current), result.changes).has_value();
   const auto begun = changed ? session.beginAnew(current) : Result<void>(fail("the values do not fit this session"));
   context.feed.restart();
-  context.tuning.restart();
+  context.tuning.restart(current.calibrated_on);
   if (!exists) context.tuning.model().markSaved();
   for (const calibration::ParameterChange& change : result.changes) context.tuning.model().markSaved(change.id);
   if (context.tuning.targetIsByHand()) context.tuning.targetByHand();

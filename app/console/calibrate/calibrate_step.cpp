@@ -12,6 +12,12 @@ namespace fyd::console {
 
 QString CalibrationStep::name() const { return widgets::coreText(calibration::partName(procedure(), sensor())); }
 
+bool CalibrationStep::readWith(std::string_view calibration) const {
+  return std::ranges::any_of(calibration::dependences(), [&](const calibration::Dependence& rests) {
+    return rests.part == procedure() && rests.basis == calibration;
+  });
+}
+
 QStringList CalibrationStep::row(const CalibrationPoint& point) const {
   QStringList out;
   for (const double value : point) {

@@ -117,6 +117,8 @@ class CalibrationStep {
   [[nodiscard]] virtual double offer(const std::vector<CalibrationPoint>&) const { return calibration::kUnknown; }
   /// Whether it relies on the measured indentation; the page then warns while the cloth is not calibrated.
   [[nodiscard]] virtual bool trustsIndentation() const { return false; }
+  /// Whether its points are read with the values that this calibration finds, and are none of newer ones.
+  [[nodiscard]] virtual bool readWith(std::string_view calibration) const;
   /// Whether a new measurement replaces the former one.
   [[nodiscard]] virtual bool onePoint() const { return false; }
 

@@ -29,6 +29,10 @@ class StiffnessStep : public CalibrationStep {
   int readingColumn() const override { return 1; }
   Motion motion() const override { return Motion::stretch; }
   bool trustsIndentation() const override { return true; }
+  /// Its points are depths and forces from the zeros in force, and one fit knows one zero.
+  bool readWith(std::string_view calibration) const override {
+    return calibration == "no-touch" || CalibrationStep::readWith(calibration);
+  }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
     return points.empty() ? tr("Type a stretch and hold the button: the motors go there. Meanwhile press the cloth to "
                                "three depths, each for a second; points are taken by themselves.")

@@ -71,6 +71,22 @@ void CalibrationRun::takeTare() {
   takeProfile();
 }
 
+void CalibrationRun::forgetTared() { discardReadWith("no-touch"); }
+
+void CalibrationRun::discardReadWith(std::string_view procedure) {
+  QStringList lost;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const int part = static_cast<int>(i);
+    if (points_.of(part).empty() || !steps_[i]->readWith(procedure)) continue;
+    lost << counted(part);
+    points_.clear(part);
+  }
+  if (lost.isEmpty()) return;
+  context_.tell(widgets::Severity::warning,
+                tr("Calibration points read with the former values are discarded: take them again (%1).")
+                    .arg(lost.join(QStringLiteral(", "))));
+}
+
 void CalibrationRun::changeDevices() {
   end();
   if (const QStringList lost = unaccepted(); !lost.isEmpty()) {
@@ -311,10 +327,13 @@ void CalibrationRun::takeExperiment() {
 QStringList CalibrationRun::unaccepted() const {
   QStringList out;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    const std::size_t count = points_.of(static_cast<int>(i)).size();
-    if (count > 0) out << tr("%1 %2").arg(steps_[i]->name()).arg(count);
+    if (!points_.of(static_cast<int>(i)).empty()) out << counted(static_cast<int>(i));
   }
   return out;
+}
+
+QString CalibrationRun::counted(int part) const {
+  return tr("%1 %2").arg(steps_[static_cast<std::size_t>(part)]->name()).arg(points_.of(part).size());
 }
 
 void CalibrationRun::refit() {
@@ -349,6 +368,10 @@ void CalibrationRun::accept(const AcceptedWords& words) {
     emit said(tr("Accepting begins the session anew and would end the recording: stop the recording first."), true);
     return;
   }
+  if (context_.connection.recorderWaits()) {
+    emit said(ConnectionChange::recorderWaitsText(), true);
+    return;
+  }
   if (words.who.empty()) {
     emit said(tr("Who measured? Write your name at the right, then accept."), true);
     emit nameMissing();
@@ -362,6 +385,7 @@ void CalibrationRun::accept(const AcceptedWords& words) {
   }
   if (!acceptCalibration(context_, fit_.result, step().sensor(), record)) return;
   points_.clear(step_);
+  discardReadWith(step().procedure());
   profile_ = context_.session.currentProfile();
   emit said(tr("Accepted. The values are in force and in the profile."), false);
   emit accepted();

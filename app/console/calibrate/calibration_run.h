@@ -48,6 +48,8 @@ class CalibrationRun : public QObject {
   void takeProfile();
   /// A tare: other values are in force, and a point that is being averaged was read with the former ones.
   void takeTare();
+  /// A tare, also while another place is shown: discards the points that were read with the former zeros.
+  void forgetTared();
   /// Other devices are connected: no point of the former ones remains.
   void changeDevices();
   /// Goes to another part; ends a motion, or a point that is being averaged.
@@ -86,6 +88,10 @@ class CalibrationRun : public QObject {
   void takeByItself(const Picks& picks);
   void takeExperiment();
   void refit();
+  /// What was read with other values of this calibration is none with those in force now; tells which parts' it was.
+  void discardReadWith(std::string_view procedure);
+  /// "Load cell 5".
+  [[nodiscard]] QString counted(int part) const;
   [[nodiscard]] PointOrigin originOfReadings() const;
   /// Why points from there cannot be added to this part's, and what to do; empty: they can.
   [[nodiscard]] QString otherOrigin(PointOrigin origin) const;

@@ -59,6 +59,9 @@ RecordingControl::RecordingControl(const PageContext& context, QString memory, Q
   connect(&context_.feed, &SessionFeed::recorder, this, &RecordingControl::take);
   connect(&disk_work_, &Background::runningChanged, form_, &widgets::RecordingForm::setWaiting);
   connect(&disk_work_, &Background::runningChanged, &context_.connection, &ConnectionChange::waitForRecorder);
+  connect(&disk_work_, &Background::failed, this, [this](const QString& why) {
+    context_.tell_about(kRecording, Severity::error, tr("Recording failed. %1").arg(why));
+  });
 }
 
 QString sessionsFolder() {
@@ -115,6 +118,12 @@ void RecordingControl::started(const widgets::RecordingEntries& entries, const R
   if (!outcome) {
     context_.tell_about(kRecording, Severity::error,
                         tr("Not recording. %1.").arg(widgets::coreText(outcome.error().message)));
+    return;
+  }
+  const recording::RecorderStatus now = context_.session.recorderStatus();
+  if (now.state != RecorderState::recording) {  // it has ended again before this came here
+    const QString why = now.problem.empty() ? tr("The session has ended meanwhile") : widgets::coreText(now.problem);
+    context_.tell_about(kRecording, Severity::error, tr("Not recording. %1.").arg(why));
     return;
   }
   markers_ = 0;
