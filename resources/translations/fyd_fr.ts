@@ -910,6 +910,10 @@
         <translation>Étalonné sur ce touchpad</translation>
     </message>
     <message>
+        <source>Calibration points read with the former values are discarded: take them again (%1).</source>
+        <translation>Les points d'étalonnage lus avec les valeurs précédentes sont écartés : les reprendre (%1).</translation>
+    </message>
+    <message>
         <source>Calibration report as PDF</source>
         <translation>Rapport d'étalonnage en PDF</translation>
     </message>
@@ -3268,8 +3272,8 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
         <translation>Non armé : {}. {}</translation>
     </message>
     <message>
-        <source>Not connected: something can move again. Press Esc, then try again.</source>
-        <translation>Non connecté : quelque chose peut de nouveau bouger. Presser Esc, puis réessayer.</translation>
+        <source>Not connected. %1</source>
+        <translation>Non connecté. %1</translation>
     </message>
     <message>
         <source>Not connected; all is as it was. %1.</source>
@@ -3506,6 +3510,10 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     <message>
         <source>Operator: who operates? A name or initials.</source>
         <translation>Opérateur : qui conduit ? Un nom ou des initiales.</translation>
+    </message>
+    <message>
+        <source>Other devices are being connected …</source>
+        <translation>D'autres appareils sont en cours de connexion …</translation>
     </message>
     <message>
         <source>Other devices are connected: calibration points of the former ones are discarded (%1).</source>
@@ -4940,6 +4948,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The selected parameters take their saved values again</source>
         <translation>Les paramètres choisis reprennent leurs valeurs enregistrées</translation>
+    </message>
+    <message>
+        <source>The session has ended meanwhile</source>
+        <translation>La session s'est terminée entre-temps</translation>
     </message>
     <message>
         <source>The session has no devices.</source>

@@ -910,6 +910,10 @@
         <translation>Calibrato su questo touchpad</translation>
     </message>
     <message>
+        <source>Calibration points read with the former values are discarded: take them again (%1).</source>
+        <translation>I punti di calibrazione letti con i valori precedenti sono scartati: riprenderli (%1).</translation>
+    </message>
+    <message>
         <source>Calibration report as PDF</source>
         <translation>Rapporto di calibrazione in PDF</translation>
     </message>
@@ -3268,8 +3272,8 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
         <translation>Non armato: {}. {}</translation>
     </message>
     <message>
-        <source>Not connected: something can move again. Press Esc, then try again.</source>
-        <translation>Non collegato: qualcosa si può di nuovo muovere. Premere Esc, poi riprovare.</translation>
+        <source>Not connected. %1</source>
+        <translation>Non collegato. %1</translation>
     </message>
     <message>
         <source>Not connected; all is as it was. %1.</source>
@@ -3506,6 +3510,10 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
     <message>
         <source>Operator: who operates? A name or initials.</source>
         <translation>Operatore: chi conduce? Un nome o le iniziali.</translation>
+    </message>
+    <message>
+        <source>Other devices are being connected …</source>
+        <translation>Si collegano altri dispositivi …</translation>
     </message>
     <message>
         <source>Other devices are connected: calibration points of the former ones are discarded (%1).</source>
@@ -4940,6 +4948,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The selected parameters take their saved values again</source>
         <translation>I parametri scelti riprendono i valori salvati</translation>
+    </message>
+    <message>
+        <source>The session has ended meanwhile</source>
+        <translation>La sessione è finita nel frattempo</translation>
     </message>
     <message>
         <source>The session has no devices.</source>

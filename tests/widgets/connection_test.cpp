@@ -1,9 +1,11 @@
 // Devices are chosen and connected in the window: by address to a simulated touchpad that is served over the network,
 // wrong ones, while something can move, with the touchpad gone and back; what a start remembers; the first steps.
+#include "app/console/calibrate/calibrate_page.h"
 #include "app/console/window/start.h"
 #include "core/sim/server/touchpad_process.h"
 #include "tests/widgets/hands.h"
 #include "tests/widgets/suite.h"
+#include "widgets/devices/cable_text.h"
 
 namespace fyd::tests {
 
@@ -216,12 +218,59 @@ class ConnectionTest : public QObject {
     f.window->connection().change({.touchpad = "modbus-tcp:10.0.0.7:502"});
     f.window->feed().pump();
     QCOMPARE(bar->stateWord(), QStringLiteral("Closed"));
+    f.session->opens_long = true;
     f.session->reads_long = false;
+    WAIT_EQUAL(bar->stateWord(), QStringLiteral("Starting"));
+    f.window->feed().pump();
+    const auto* calibrate = qobject_cast<console::CalibratePage*>(f.window->frame()->page(QStringLiteral("calibrate")));
+    const QString comes = QStringLiteral("Other devices are being connected");
+    QVERIFY2(image->emptyText().contains(comes), qPrintable(image->emptyText()));
+    QVERIFY2(calibrate->picture()->emptyText().contains(comes), qPrintable(calibrate->picture()->emptyText()));
+    for (const char* id : {"session.tare", "session.target_by_hand", "session.target_from_robot"}) {
+      f.window->notices()->dismissAll();
+      f.window->commands().action(QLatin1String(id))->trigger();
+      QVERIFY2(f.window->notices()->shownText().contains(comes), id);
+    }
+    f.session->opens_long = false;
     WAIT_FOR(f.window->connection().work().isEmpty());
     f.window->feed().pump();
     QCOMPARE(bar->stateWord(), QStringLiteral("Starting"));
     QCOMPARE(image->emptyText(), QStringLiteral("No picture yet."));
+    QCOMPARE(calibrate->picture()->emptyText(), QStringLiteral("No picture yet."));
     QVERIFY(!parts.empty());
+  }
+
+  void whatALibraryThrowsWhileDevicesAreChangedIsSaidAndTheyCanBeChangedAgain() {
+    Fixture f;
+    const console::ConnectionWords wanted{.touchpad = "modbus-tcp:10.0.0.7:502"};
+    const auto told = [&] { return f.window->notices()->text(f.window->notices()->count() - 1); };
+    stationSays(f, SafetyState::ready);
+    f.session->check_throws = true;
+    f.window->connection().change(wanted);
+    QVERIFY(!f.window->connection().work().isEmpty());
+    WAIT_FOR(f.window->connection().work().isEmpty());
+    QCOMPARE(told(), QStringLiteral("Not connected; all is as it was. bad check by the script."));
+    QVERIFY(f.session->open);
+    f.session->check_throws = false;
+    f.session->opening_throws = true;
+    stationSays(f, SafetyState::ready);
+    f.window->connection().change(wanted);
+    WAIT_FOR(f.window->connection().closed());
+    WAIT_FOR(f.window->connection().work().isEmpty());
+    QCOMPARE(told(), QStringLiteral("The session is closed. bad opening by the script. Choose other devices."));
+    QCOMPARE(f.window->stateBar()->stateWord(), QStringLiteral("Closed"));
+    f.session->opening_throws = false;
+    changeDevices(f, wanted);
+    QCOMPARE(f.session->present.touchpad, wanted.touchpad);
+    QVERIFY(f.window->session().isOpen());
+  }
+
+  void aCamerasPasswordIsNotShown() {
+    const console::ConnectionWords words{.camera = "rtsp://lab:s3cret@10.0.0.5/live"};
+    for (const QString& shown : {console::inWords(words), widgets::cableRemedy(pipeline::Fault::camera_stale, words)}) {
+      QVERIFY2(shown.contains(QStringLiteral("rtsp://10.0.0.5/live")), qPrintable(shown));
+      QVERIFY2(!shown.contains(QStringLiteral("s3cret")), qPrintable(shown));
+    }
   }
 
   void theCurvesTimeIsThatOfTheSessionThatIsShown() {
@@ -364,6 +413,19 @@ class ConnectionTest : public QObject {
     f.session->reads_long = false;
     WAIT_EQUAL(form->connectButton()->text(), QStringLiteral("Connect"));
     QVERIFY(f.session->asked.empty() && f.session->open);
+    const auto told = [&] { return f.window->notices()->text(f.window->notices()->count() - 1); };
+    QCOMPARE(told(),
+             QStringLiteral("Not connected. Devices can be changed only while nothing can move. Press Esc first."));
+    // A recording is begun while the devices are asked.
+    stationSays(f, SafetyState::ready);
+    f.session->reads_long = true;
+    click(form->connectButton());
+    f.session->recorder.state = recording::RecorderState::recording;
+    stationSays(f, SafetyState::ready);
+    f.session->reads_long = false;
+    WAIT_EQUAL(form->connectButton()->text(), QStringLiteral("Connect"));
+    QVERIFY(f.session->asked.empty() && f.session->open);
+    QVERIFY2(told().startsWith(QStringLiteral("Not connected. ")), qPrintable(told()));
     // A recording would end.
     f.session->recorder.state = recording::RecorderState::recording;
     stationSays(f, SafetyState::ready);

@@ -1,6 +1,9 @@
 // The whole window on a scripted session: what keys and clicks ask of it, what it shows of what it hears.
+#include <QFileDialog>
+#include <QSignalSpy>
 #include <stdexcept>
 
+#include "app/console/operate/finger_menu.h"
 #include "app/console/shell/background.h"
 #include "app/console/shell/options.h"
 #include "app/console/shell/views.h"
@@ -56,6 +59,65 @@ class ConsoleTest : public QObject {
     menu->popup(QPoint(10, 10));
     QTest::keyClick(menu, Qt::Key_Escape);
     QVERIFY(f.session->stops > before);
+  }
+
+  void escStopsFromEveryFileDialog() {
+    Fixture f;
+    QVERIFY(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
+    const auto stops_from = [&](const char* what, const std::function<void()>& open) {
+      open();
+      QFileDialog* dialog = nullptr;
+      for (QFileDialog* each : f.window->findChildren<QFileDialog*>()) {
+        if (each->isVisible()) dialog = each;
+      }
+      QVERIFY2(dialog != nullptr, what);
+      const int before = f.session->stops;
+      QTest::keyClick(dialog, Qt::Key_Escape);
+      QVERIFY2(f.session->stops > before, what);
+      WAIT_FOR(f.window->findChildren<QFileDialog*>().isEmpty());
+    };
+    const auto browse = [](const QWidget* form) { return [form] { form->findChild<QToolButton*>()->click(); }; };
+    stops_from("finger", [&] { f.window->operate()->finger()->chooseFile(); });
+    f.window->frame()->go(QStringLiteral("review"));
+    stops_from("review", [&] { f.window->commands().action(QStringLiteral("review.open"))->trigger(); });
+    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    int files = 0;
+    for (QToolButton* each : f.window->recording()->form()->findChildren<QToolButton*>()) {
+      if (each->accessibleName() != QStringLiteral("Choose the file")) continue;
+      stops_from("recording", [each] { each->click(); });
+      ++files;
+    }
+    QCOMPARE(files, 1);
+    stops_from("camera", browse(devicesOf(f)->form()->camera()));
+    for (QToolButton* each : f.window->link()->form()->findChildren<QToolButton*>()) {
+      stops_from(qPrintable(each->accessibleName()), [each] { each->click(); });
+    }
+  }
+
+  void aSpaceBarThatIsDownSinceArmingDoesNotStop() {
+    Fixture f;
+    QPushButton* stop = f.window->stateBar()->stopButton();
+    stop->setFocus();
+    QVERIFY(stop->hasFocus());
+    const auto key = [&](QEvent::Type type, quint64 at_ms) {
+      QKeyEvent event(type, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "));
+      event.setTimestamp(at_ms);
+      QCoreApplication::sendEvent(stop, &event);
+    };
+    for (const quint64 repeated_ms : {quint64{5000}, quint64{5033}}) {
+      key(QEvent::KeyRelease, repeated_ms);
+      key(QEvent::KeyPress, repeated_ms);
+    }
+    key(QEvent::KeyRelease, 5060);
+    QCOMPARE(f.session->stops, 0);
+    key(QEvent::KeyPress, 5061);
+    QCOMPARE(f.session->stops, 1);
+    key(QEvent::KeyRelease, 5100);
+    for (int presses = 2; presses < 4; ++presses) {  // where no time is told, each is a press
+      key(QEvent::KeyPress, 0);
+      key(QEvent::KeyRelease, 0);
+      QCOMPARE(f.session->stops, presses);
+    }
   }
 
   void stopButtonAndMenuStop() {
@@ -319,10 +381,14 @@ class ConsoleTest : public QObject {
   void workThatThrowsEndsWithoutAResult() {
     console::Background work;
     bool finished = false;
+    const QSignalSpy failed(&work, &console::Background::failed);
     work.run([](const std::stop_token&) -> console::Background::Finish { throw std::runtime_error("no memory left"); });
     QTRY_VERIFY(!work.running());
+    QCOMPARE(failed.count(), 1);
+    QCOMPARE(failed.front().front().toString(), QStringLiteral("no memory left"));
     work.run([&](const std::stop_token&) -> console::Background::Finish { return [&] { finished = true; }; });
     QTRY_VERIFY(finished);
+    QCOMPARE(failed.count(), 1);
   }
 
   void missedCyclesAreNoneWhenAnotherSessionCountsAnew() {

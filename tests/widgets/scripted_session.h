@@ -1,6 +1,8 @@
 // A session that plays what a test scripts and notes what it was asked, and a window on it.
 #pragma once
 
+#include <stdexcept>
+
 #include "app/console/devices/devices_page.h"
 #include "app/console/window/main_window.h"
 #include "core/station/profile/touchpad_name.h"
@@ -58,9 +60,10 @@ class ScriptedSession : public console::Session {
   std::vector<texture::SweepRow> deviceTestSweep() override { return sweep; }
   Result<void> startRecording(const recording::RecordingRequest& request) override {
     waitForDisk();
+    if (disk_throws) throw std::runtime_error("bad disk by the script");
     if (refuses) return fail("{}: refused by the script", request.path);
     recordings.push_back(request);
-    recorder = {.state = recording::RecorderState::recording, .path = request.path};
+    if (!recording_ends) recorder = {.state = recording::RecorderState::recording, .path = request.path};
     return {};
   }
   Result<void> stopRecording() override {
@@ -89,6 +92,7 @@ class ScriptedSession : public console::Session {
     ++checks;
     return [this, wanted] {
       while (reads_long) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (check_throws) throw std::runtime_error("bad check by the script");
       std::vector<station::ConnectionProblem> problems;
       if (wanted.robot == "scene:bad.toml") {
         problems.push_back({.part = device::Part::robot, .message = verbatim("bad.toml: bad by the script")});
@@ -101,12 +105,15 @@ class ScriptedSession : public console::Session {
   }
   std::function<Arrival()> leaveFor(const console::ConnectionWords& wanted) override {
     const bool was_open = std::exchange(open, false);
-    return [this, wanted, was_open] {
+    return [this, wanted, was_open]() -> Arrival {
+      while (opens_long) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (opening_throws) throw std::runtime_error("bad opening by the script");
       return [this, wanted, was_open]() -> Result<void> {
         asked.push_back(wanted);
         open = !refuses || was_open;
         if (refuses) return fail("127.0.0.1:3490: refused by the script");
         present = wanted;
+        if (arrives_with) profile = *std::exchange(arrives_with, std::nullopt);
         return {};
       };
     };
@@ -170,7 +177,11 @@ class ScriptedSession : public console::Session {
   mutable int checks = 0;  ///< choices that were asked about beforehand
   bool open = true;
   std::atomic<bool> reads_long = false;  ///< a check takes until this is false
+  std::atomic<bool> opens_long = false;  ///< other devices are opened only when this is false
   std::atomic<bool> disk_waits = false;  ///< a recording begins or ends only when this is false
+  std::atomic<bool> check_throws = false, opening_throws = false, disk_throws = false;
+  std::atomic<bool> recording_ends = false;      ///< a recording that has begun ends at once
+  std::optional<station::Profile> arrives_with;  ///< of the next devices
   int begun_anew = 0;
   std::shared_ptr<scene::SceneStage> stage;  ///< a scene where the robot stands
 };

@@ -262,6 +262,47 @@ class TuneTest : public QObject {
     QCOMPARE(f.used("control.kp"), 0.3);
   }
 
+  void calibratedValuesAreOneTouchpadsAndInNoPreset() {
+    TuneFixture f;
+    constexpr const char* kCalibrated = "sensing.finger_threshold";
+    f.type(kCalibrated, QStringLiteral("91"));
+    QCOMPARE(f.used(kCalibrated), 91.0);
+    f.page->tabs()->setCurrentWidget(f.page->presets());
+    f.enter(f.page->presets()->nameField(), QStringLiteral("here"));
+    QVERIFY(QDir(f.folder.path()).mkpath(QStringLiteral("presets")));
+    QFile older(f.folder.filePath(QStringLiteral("presets/older.toml")));
+    QVERIFY(older.open(QIODevice::WriteOnly));
+    older.write("[sensing]\nfinger_threshold = 92\n[texture]\nk_vib = 2\n");
+    older.close();
+    QVERIFY(f.model().anyChanged());
+    // Another touchpad: its own value is the saved one, and nothing leads back to the former one's.
+    station::Profile other = f.session->profile;
+    other.calibrated_on = "serial:B2";
+    other.step.sensing.finger.threshold = 55;
+    f.session->arrives_with = other;
+    f.session->changes.clear();
+    changeDevices(f, {.touchpad = "modbus-tcp:10.0.0.7:502"});
+    QCOMPARE(f.value(kCalibrated), 55.0);
+    QVERIFY(!f.model().anyChanged());
+    QVERIFY(f.model().revertAll().has_value());
+    f.model().undo();
+    QVERIFY(f.session->changes.empty());
+    f.window->frame()->go(QStringLiteral("operate"));
+    f.window->frame()->go(QStringLiteral("tune"));
+    for (const char* preset : {"here", "older"}) {
+      f.choosePreset(QLatin1String(preset));
+      click(f.page->presets()->loadButton());
+      QCOMPARE(f.used(kCalibrated), 55.0);
+    }
+    QCOMPARE(f.used("texture.k_vib"), 2.0);
+    // A session of the same touchpad leaves both.
+    f.type(kCalibrated, QStringLiteral("60"));
+    changeDevices(f, {.touchpad = "modbus-tcp:10.0.0.7:502", .robot = "none"});
+    QVERIFY(std::as_const(f.model()).find(kCalibrated)->changed());
+    f.model().undo();
+    QCOMPARE(f.used(kCalibrated), 55.0);
+  }
+
   void badPresetsAndNamesChangeNothingAndSayWhy() {
     TuneFixture f;
     f.page->tabs()->setCurrentWidget(f.page->presets());
@@ -435,6 +476,27 @@ class TuneTest : public QObject {
     QCOMPARE(f.used("control.measurement_lag_s"), 0.25);
   }
 
+  void aProposalThatIsAppliedAfterAQuestionIsSaidToBeInUse() {
+    TuneFixture f;
+    f.type("control.ki", QStringLiteral("0.5"));
+    f.page->tabs()->setCurrentWidget(f.page->proposal());
+    click(f.page->proposal()->startButton());
+    WAIT_FOR(f.page->proposal()->hasProposal());
+    const double proposed = f.page->study().proposal()->proposed.ki_per_s;
+    f.model().setDoubt([](std::span<const widgets::Setting>) { return QStringLiteral("By the script."); });
+    click(f.page->proposal()->acceptButton());
+    QVERIFY(f.model().question());
+    f.model().leaveAsItIs();
+    passTimers(20);
+    QVERIFY(f.page->proposal()->hasProposal());
+    QCOMPARE(f.used("control.ki"), 0.5);
+    click(f.page->proposal()->acceptButton());
+    f.model().applyAnyway();
+    QCOMPARE(f.used("control.ki"), proposed);
+    WAIT_FOR(f.page->proposal()->words().startsWith(QStringLiteral("Accepted")));
+    QVERIFY(!f.page->proposal()->acceptButton()->isEnabled());
+  }
+
   void autoTuneCancelledOrDiscardedChangesNothing() {
     TuneFixture f;
     const QSignalSpy proposed(&f.page->study(), &console::LoopStudy::proposed);
@@ -478,6 +540,10 @@ class TuneTest : public QObject {
     QVERIFY(std::abs(f.page->study().proposal()->cloth.scale - 1.1) < 0.02);
     f.page->study().listen(std::span(samples).first(10));  // time goes back: another session
     QCOMPARE(f.page->study().heard(), std::size_t{1});
+    // Also one that begins anew with a calibration, whose time goes on.
+    f.window->feed().restart();
+    QCOMPARE(f.page->study().heard(), std::size_t{0});
+    QVERIFY(!f.page->study().proposal());
   }
 
   void whatTheDevicesReadBackStandsBesideWhatWasAsked() {

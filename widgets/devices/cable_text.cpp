@@ -1,5 +1,6 @@
 #include "widgets/devices/cable_text.h"
 
+#include "core/device/stable_name.h"
 #include "widgets/basics/words.h"
 
 namespace fyd::widgets {
@@ -26,7 +27,7 @@ QString motorRemedy(const std::string& source) {
 }
 
 QString cameraRemedy(const std::string& source) {
-  const QString at = QString::fromStdString(source);
+  const QString at = QString::fromStdString(device::withoutSecrets(source));
   if (at.contains(QLatin1String("://")))
     return tr("Check the network cable and what sends the pictures at %1.").arg(at);
   bool number = false;

@@ -24,6 +24,7 @@ void Background::run(Work work) {
       done = work(stop);
     } catch (const std::exception& problem) {  // out of memory, or of a library: the session goes on
       spdlog::error("Work in the background was given up: {}", problem.what());
+      done = [this, why = QString::fromUtf8(problem.what())] { emit failed(why); };
     }
     // The destructor waits for this thread, so `this` is valid; calls queued for it are dropped with it.
     QMetaObject::invokeMethod(

@@ -14,8 +14,8 @@ class Background : public QObject {
  public:
   /// Runs on the window's thread when the work is done.
   using Finish = std::function<void()>;
-  /// Runs on its own thread; must own its data, and end soon once asked to stop. What it throws is logged, and it has
-  /// no result then.
+  /// Runs on its own thread; must own its data, and end soon once asked to stop. What it throws is logged and told by
+  /// `failed`; it has no result then.
   using Work = std::function<Finish(const std::stop_token&)>;
 
   using QObject::QObject;
@@ -33,6 +33,7 @@ class Background : public QObject {
 
  signals:
   void runningChanged(bool running);
+  void failed(const QString& why);  ///< the work threw; in the library's words
 
  private:
   void finish(int number, const Finish& finish);

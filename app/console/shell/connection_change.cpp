@@ -1,5 +1,6 @@
 #include "app/console/shell/connection_change.h"
 
+#include "core/device/stable_name.h"
 #include "widgets/basics/core_text.h"
 
 namespace fyd::console {
@@ -17,7 +18,28 @@ ConnectionChange::ConnectionChange(Session& session, SessionFeed& feed, TuningBr
     const bool recording = status.state == recording::RecorderState::recording;
     if (std::exchange(recording_, recording) != recording) emit refreshed();
   });
+  connectWork();
   tuning_.startWithTarget(present().robot == "none");  // as the station starts then
+}
+
+void ConnectionChange::connectWork() {
+  connect(&opening_, &Background::runningChanged, &feed_, &SessionFeed::setConnecting);
+  connect(&opening_, &Background::runningChanged, &tuning_, &TuningBridge::setConnecting);
+  // What a library throws ends the work as well: devices can be chosen again.
+  connect(&asking_, &Background::failed, this, [this](const QString& why) {
+    show({});
+    tellUnchanged(why);
+  });
+  connect(&opening_, &Background::failed, this,
+          [this](const QString& why) { done(present(), fail(verbatim(why.toStdString()))); });
+}
+
+void ConnectionChange::tellUnchanged(const QString& why) {
+  emit told(Severity::error, tr("Not connected; all is as it was. %1.").arg(why));
+}
+
+QString ConnectionChange::recorderWaitsText() {
+  return tr("A recording is beginning or ending. Wait until the disk has answered.");
 }
 
 void ConnectionChange::hear(std::span<const pipeline::TelemetrySample> samples) {
@@ -29,7 +51,7 @@ void ConnectionChange::hear(std::span<const pipeline::TelemetrySample> samples) 
 QString ConnectionChange::hindrance() const {
   if (!session_.isOpen()) return {};
   if (can_move_ || silent_) return tr("Devices can be changed only while nothing can move. Press Esc first.");
-  if (recorder_waits_) return tr("A recording is beginning or ending. Wait until the disk has answered.");
+  if (recorder_waits_) return recorderWaitsText();
   if (recording_) return tr("A recording is under way and would end. End it first.");
   return {};
 }
@@ -72,16 +94,17 @@ void ConnectionChange::answered(const ConnectionWords& wanted, std::vector<stati
   if (problems_.empty() && mayBegin()) return leaveFor(wanted);
   show({});
   if (problems_.empty()) {
-    emit told(Severity::warning, tr("Not connected: something can move again. Press Esc, then try again."));
+    emit told(Severity::warning, tr("Not connected. %1").arg(hindrance()));
     return;
   }
   QStringList reasons;
   for (const station::ConnectionProblem& each : problems_) reasons << widgets::coreText(each.message);
-  emit told(Severity::error, tr("Not connected; all is as it was. %1.").arg(reasons.join(QStringLiteral("; "))));
+  tellUnchanged(reasons.join(QStringLiteral("; ")));
 }
 
 void ConnectionChange::leaveFor(const ConnectionWords& wanted) {
   emit leaving();
+  former_ = session_.currentProfile().calibrated_on;
   opening_.run([this, wanted, work = session_.leaveFor(wanted)](const std::stop_token&) -> Background::Finish {
     return [this, wanted, arrive = work()] { done(wanted, arrive()); };
   });
@@ -92,7 +115,7 @@ void ConnectionChange::done(const ConnectionWords& wanted, const Result<void>& o
   can_move_ = true;  // until the new session says otherwise
   recording_ = false;
   feed_.restart();
-  tuning_.restart();
+  tuning_.restart(former_);
   const bool open = session_.isOpen();
   if (outcome) {
     tuning_.startWithTarget(wanted.robot == "none");
@@ -112,7 +135,7 @@ QString inWords(const ConnectionWords& words) {
   const auto text = [](const std::string& word) { return widgets::coreText(word); };
   QStringList parts{ConnectionChange::tr("touchpad %1").arg(text(words.touchpad))};
   if (!words.motors.empty()) parts << ConnectionChange::tr("motors %1").arg(text(words.motors));
-  if (!words.camera.empty()) parts << ConnectionChange::tr("camera %1").arg(text(words.camera));
+  if (!words.camera.empty()) parts << ConnectionChange::tr("camera %1").arg(text(device::withoutSecrets(words.camera)));
   parts << ConnectionChange::tr("robot %1").arg(text(words.robot));
   return parts.join(QStringLiteral(", "));
 }

@@ -36,6 +36,8 @@ class ConnectionChange : public QObject {
   void cancel();
   /// A recording begins or ends, which may take the disk's time: the session may not be left meanwhile.
   void waitForRecorder(bool waits);
+  [[nodiscard]] bool recorderWaits() const { return recorder_waits_; }
+  [[nodiscard]] static QString recorderWaitsText();
 
  signals:
   void refreshed();  ///< one of the above is another
@@ -51,6 +53,8 @@ class ConnectionChange : public QObject {
   void answered(const ConnectionWords& wanted, std::vector<station::ConnectionProblem> problems);
   void leaveFor(const ConnectionWords& wanted);
   void done(const ConnectionWords& wanted, const Result<void>& outcome);
+  void connectWork();
+  void tellUnchanged(const QString& why);
 
   Session& session_;
   SessionFeed& feed_;
@@ -60,6 +64,7 @@ class ConnectionChange : public QObject {
   bool recording_ = false;
   bool recorder_waits_ = false;
   QString work_;
+  std::string former_;  ///< touchpad of the session that was left, as in touchpad_name.h
   std::vector<station::ConnectionProblem> problems_;
   Background asking_;
   Background opening_;

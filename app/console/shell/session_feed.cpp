@@ -82,7 +82,7 @@ void SessionFeed::lookAtParts() {
   emit link(toLink(status));
   emit recorder(session_.recorderStatus());
   emit readiness(toReadiness(session_.readiness(), session_.devices(), session_.connection()));
-  if (!open) emit cameraMissing(closedText());
+  if (!open) emit cameraMissing(closedText(connecting_));
   for (const device::DeviceReport& part : status.parts) {
     if (part.part != device::Part::camera || part.ok) continue;
     emit cameraMissing(tr("Looked for: %1\n%2\n\nIt is tried again by itself. Another camera is chosen in Devices.")

@@ -21,6 +21,8 @@ class SessionFeed : public QObject {
   void start();
   /// One round of everything at once, without waiting for a timer.
   void pump();
+  /// Whether there is no session because another is being opened.
+  void setConnecting(bool connecting) { connecting_ = connecting; }
   /// To be called when the session began anew: drops the state of the former one.
   void restart();
 
@@ -52,6 +54,7 @@ class SessionFeed : public QObject {
   std::uint64_t last_missed_ = 0;
   QElapsedTimer since_missed_;
   double missed_now_ = 0.0;
+  bool connecting_ = false;
 };
 
 }  // namespace fyd::console

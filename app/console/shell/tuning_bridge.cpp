@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/console/shell/views.h"
+#include "core/calibration/calibration_part.h"
 #include "core/station/profile/calibrated_values.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/tuning/tuning_text.h"
@@ -91,12 +92,16 @@ void TuningBridge::lookForSilence() {
   if (under_way_.isEmpty()) silence_.stop();
 }
 
-void TuningBridge::restart() {
+void TuningBridge::restart(std::string_view former) {
   under_way_.clear();
   model_.returnToCurrent();  // the new session gets the current values, not the saved ones
   station::Profile current = session_.currentProfile();
+  const bool other_touchpad = current.calibrated_on != former;
+  if (other_touchpad) model_.undoStack()->clear();
   for (const Parameter& parameter : bindParameters(current)) {
-    if (parameter.isNumber()) model_.accept(parameter.id, parameter.value());
+    if (!parameter.isNumber()) continue;
+    model_.accept(parameter.id, parameter.value());
+    if (other_touchpad && !calibration::calibratedBy(parameter.id).empty()) model_.markSaved(parameter.id);
   }
 }
 
@@ -133,7 +138,7 @@ void TuningBridge::ask(const pipeline::OperatorCommand& command) {
   if (session_.command(command)) return;
   emit told(Severity::error, session_.isOpen()
                                  ? tr("The station did not take the target: too many commands at once. Try again.")
-                                 : closedText());
+                                 : closedText(connecting_));
 }
 
 void TuningBridge::save() {

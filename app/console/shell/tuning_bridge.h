@@ -35,6 +35,8 @@ class TuningBridge : public QObject {
   void hear(const pipeline::Event& event);
   void targetByHand();
   void targetFromRobot();
+  /// Whether there is no session because another is being opened.
+  void setConnecting(bool connecting) { connecting_ = connecting; }
   /// Shows the source of the target with which the session starts; requests nothing.
   void startWithTarget(bool by_hand);
   [[nodiscard]] bool targetIsByHand() const { return by_hand_; }
@@ -44,7 +46,9 @@ class TuningBridge : public QObject {
   /// Which parameters differ from the profile, as a phrase; empty: none.
   [[nodiscard]] QString unsaved() const;
   /// To be called when the session began anew: pending answers of the former one are dropped, and its values are shown.
-  void restart();
+  /// Another touchpad's calibrated values are those of its own file: none of the former one's is gone back to.
+  /// @param former the touchpad of the session before, as in touchpad_name.h
+  void restart(std::string_view former);
 
   /// A change that the step has not answered for this long is called silent.
   static constexpr int kAnswer_ms = 2000;
@@ -73,6 +77,7 @@ class TuningBridge : public QObject {
   TuningPresets presets_;
   LoopJudge judge_;
   bool by_hand_ = false;
+  bool connecting_ = false;
   QHash<QString, UnderWay> under_way_;
   QTimer silence_;
   std::vector<QString> names_;  ///< by the step's index

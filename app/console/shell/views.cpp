@@ -123,7 +123,10 @@ bool inUse(const std::vector<device::DeviceReport>& devices, device::Part part) 
 
 }  // namespace
 
-QString closedText() { return tr("The session is closed: choose devices under Devices."); }
+QString closedText(bool connecting) {
+  return connecting ? tr("Other devices are being connected …")
+                    : tr("The session is closed: choose devices under Devices.");
+}
 
 QImage toImage(const cv::Mat& picture) {
   if (picture.empty() || picture.depth() != CV_8U) return {};

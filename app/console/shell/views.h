@@ -26,8 +26,9 @@ namespace fyd::console {
                                                              const std::vector<device::DeviceReport>& devices,
                                                              const ConnectionWords& connection);
 
-/// Why a closed session does nothing, and what to do.
-[[nodiscard]] QString closedText();
+/// Why nothing can be done without a session, and what to do.
+/// @param connecting another is being opened
+[[nodiscard]] QString closedText(bool connecting);
 
 [[nodiscard]] widgets::LinkView toLink(const station::StationStatus& status);
 

@@ -337,7 +337,7 @@ void MainWindow::stop() {
 void MainWindow::ask(pipeline::OperatorAction action) {
   if (session_->command({.action = action})) return;
   tell(Severity::error, session_->isOpen() ? tr("The station did not take the command: too many at once. Try again.")
-                                           : closedText());
+                                           : closedText(!connection_->closed()));
 }
 
 void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples) {
