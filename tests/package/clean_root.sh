@@ -8,6 +8,7 @@ set -euo pipefail
 packages=$(CDPATH= cd -- "$1" && pwd)
 [ "$(id -u)" -eq 0 ] || { echo "clean_root.sh: needs root, to make a root folder of its own" >&2; exit 1; }
 older=0.0.9
+page=$(dirname "$0")/../../resources/manual/installing.md
 
 scratch=$(mktemp -d)
 trap 'rm -rf --one-file-system "$scratch"' EXIT
@@ -18,6 +19,9 @@ say "A new Debian 12"
 mmdebstrap --quiet --variant=apt --dpkgopt=force-unsafe-io bookworm "$root"
 mkdir -p "$root/packages/new" "$root/packages/old"
 cp "$packages"/*.deb "$root/packages/new/"
+# What the page says, word for word.
+grep -m1 '^sudo apt install ' "$page" >"$root/packages/install"
+grep -m1 '^sudo apt-get purge ' "$page" >"$root/packages/purge"
 
 # The same under the older version, each with a file that the newer one lacks.
 for new in "$root"/packages/new/*.deb; do
@@ -100,6 +104,19 @@ for after in removed purged; do
     exit 1
   fi
 done
+say "As the page says: its first line installs, its last one removes"
+sudo() { "$@"; }
+printf 'APT::Install-Recommends "false";\nAPT::Get::Assume-Yes "true";\n' >/tmp/apt.conf
+export APT_CONFIG=/tmp/apt.conf
+installed() { dpkg-query -W -f='${db:Status-Status} ${Package}\n' $names 2>/dev/null | sed -n 's/^installed //p' | sort | paste -sd' '; }
+everything >/tmp/before_page
+(cd /packages/new && quietly . /packages/install)
+expect "$(installed || true)" "fyd fyd-console libfyd0" "packages that the page's first line installs"
+quietly . /packages/purge
+expect "$(installed || true)" "" "packages that the page's last line left"
+everything >/tmp/after_page
+diff /tmp/before_page /tmp/after_page >&2 || { echo "these files differ from those before the page's lines" >&2; exit 1; }
+
 say "Nothing is left but what the user made: $(grep -c '^>' /tmp/left) files and folders"
 sed 's/.*  /  /' /tmp/left | sort
 INSIDE

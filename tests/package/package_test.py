@@ -3,6 +3,7 @@ import fnmatch
 import gzip
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import tempfile
@@ -168,8 +169,10 @@ class ManualPage(unittest.TestCase):
         page = (SOURCES / "resources/manual/installing.md").read_text()
         rows = re.findall(r"^\| `([\w-]+)` \|", page, re.MULTILINE)
         self.assertEqual(set(rows), set(ALL) | {"python3-fyd", "fyd-console-dbg"})
-        named = set(re.findall(r"\./([\w-]+)_\*\.deb", page)) | set(re.search(r"apt purge (.*)", page)[1].split())
-        self.assertLessEqual(named, set(rows))
+        self.assertLessEqual(set(re.findall(r"\./([\w-]+)_\*\.deb", page)), set(rows))
+        purged = re.search(r"^sudo apt-get purge \$\(dpkg-query -W -f='\S+ \S+' (.*?) 2>", page, re.MULTILINE)[1]
+        for name in rows:
+            self.assertTrue(any(fnmatch.fnmatch(name, each) for each in shlex.split(purged)), name)
 
 
 class Desktop(unittest.TestCase):
