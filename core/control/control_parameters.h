@@ -154,8 +154,8 @@ struct ControlParameters {
            {.name = sentence("Lasting measurement error"),
             .minimum = 0,
             .maximum = 1,
-            .help = sentence(
-                "Relative error of the measured stiffness that may last; the loop corrects only what exceeds it."),
+            .help = sentence("Relative error of the measured stiffness that may last; what is corrected beyond it "
+                             "control.correction says."),
             .live = true,
             .before_it_was = 0.0});
     v.choice("control.correction", correction, kCorrectionRuleNames,
@@ -182,7 +182,8 @@ struct ControlParameters {
             .unit = "deg/s",
             .minimum = 1,
             .maximum = 360,
-            .help = sentence("Fastest change of the commanded stretch."),
+            .help =
+                sentence("Fastest change of the commanded stretch and translation; not of the stretch in mode thesis."),
             .live = true});
     v.real("control.motor_limit_deg", motor_limit_deg,
            {.unit = "deg",

@@ -36,8 +36,8 @@ struct LinkParameters {
            {.unit = "Hz",
             .minimum = 1,
             .maximum = 1000,
-            .help = "States a second that a robot on FYD Link is granted at most; each carries all accelerations "
-                    "since the last."});
+            .help = "States a second that a robot on FYD Link is granted at most; each carries the accelerations "
+                    "since the last, the newest 32 of them."});
     v.real("link.touch_rate_Hz", touch_rate_Hz,
            {.unit = "Hz",
             .minimum = 1,

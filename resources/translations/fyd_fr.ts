@@ -1798,8 +1798,8 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>FYD Link, scellé</translation>
     </message>
     <message>
-        <source>Fastest change of the commanded stretch.</source>
-        <translation>Vitesse maximale de l'étirement commandé.</translation>
+        <source>Fastest change of the commanded stretch and translation; not of the stretch in mode thesis.</source>
+        <translation>Vitesse maximale de l'étirement et de la translation commandés ; pas de l'étirement dans le mode thesis.</translation>
     </message>
     <message>
         <source>Fastest the position sent to the robot moves.</source>
@@ -3946,8 +3946,8 @@ Appuyer pour lire pourquoi</translation>
         <translation>Refusés : aucun</translation>
     </message>
     <message>
-        <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
-        <translation>Erreur relative de la raideur mesurée qui peut durer ; la boucle ne corrige que ce qui la dépasse.</translation>
+        <source>Relative error of the measured stiffness that may last; what is corrected beyond it control.correction says.</source>
+        <translation>Erreur relative de la raideur mesurée qui peut durer ; ce qui est corrigé au-delà, control.correction le dit.</translation>
     </message>
     <message>
         <source>Rename</source>

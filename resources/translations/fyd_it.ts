@@ -1798,8 +1798,8 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>FYD Link, sigillato</translation>
     </message>
     <message>
-        <source>Fastest change of the commanded stretch.</source>
-        <translation>Massima velocità della tensione comandata.</translation>
+        <source>Fastest change of the commanded stretch and translation; not of the stretch in mode thesis.</source>
+        <translation>Massima velocità della tensione e della traslazione comandate; non della tensione nel modo thesis.</translation>
     </message>
     <message>
         <source>Fastest the position sent to the robot moves.</source>
@@ -3946,8 +3946,8 @@ Premere per leggere perché</translation>
         <translation>Rifiutati: nessuno</translation>
     </message>
     <message>
-        <source>Relative error of the measured stiffness that may last; the loop corrects only what exceeds it.</source>
-        <translation>Errore relativo della rigidezza misurata che può durare; l'anello corregge solo ciò che lo supera.</translation>
+        <source>Relative error of the measured stiffness that may last; what is corrected beyond it control.correction says.</source>
+        <translation>Errore relativo della rigidezza misurata che può durare; che cosa si corregge oltre lo dice control.correction.</translation>
     </message>
     <message>
         <source>Rename</source>

@@ -7,8 +7,9 @@
 // no force begins with a jump.
 //
 // With a deadband an end sends only what can be felt (teleop/deadband.h): its position and its force, and a changed
-// surface. The receiver knows values that were not sent to within the band, and gives its predictor a position each
-// period, as without a deadband. At most kRefresh_s pass between two messages, which also carry the orientation.
+// surface; it sends in each millisecond in which something left the band, whatever the line carries. The receiver knows
+// values that were not sent to within the band, and gives its predictor a position each period, as without a deadband.
+// At most kRefresh_s pass between two messages, which also carry the orientation.
 //
 // Dates are of one clock at both ends; messages dated more than kLost_s ahead are ignored.
 #pragma once
@@ -28,7 +29,7 @@ struct TeleopEndSettings {
   teleop::CouplingSettings coupling_settings;
   teleop::PredictorChoice predictor = teleop::PredictorChoice::experts;
   std::optional<double> smooth_s;  ///< of corrections; none: defaultSmoothing_s(period, age of the first message)
-  double period_s = 0.010;         ///< of messages; with a deadband the least time between two
+  double period_s = 0.010;         ///< of messages; with a deadband, of what the predictor is given
   std::optional<double> lost_s;    ///< without a message; none: TeleopEnd::kLost_s
   double deadband = 0.0;           ///< smallest relative difference that can be felt, 0 … 1; 0: a message each period
 };

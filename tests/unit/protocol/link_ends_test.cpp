@@ -59,6 +59,22 @@ TEST(LinkEnds, SlowerWishesAreGrantedAndTooSlowOnesAreNot) {
   EXPECT_FALSE(line.robot.touch()->indentation_mm);
 }
 
+TEST(LinkEnds, AtTenStatesASecondTheNewestThirtyTwoAccelerationsGoAndTheOthersAreCounted) {
+  LinkPair pair({.lost_cap_ms = 400.0, .state_rate_Hz = 10.0});  // three periods lie within the cap
+  ASSERT_TRUE(pair.connect());
+  pair.run(1.0);
+  pair.keep_samples = true;
+  const std::uint64_t states = pair.states, dropped = pair.robot.linkCounters().samples_dropped;
+  pair.run(2.0);
+  ASSERT_EQ(pair.states - states, 20U);
+  EXPECT_EQ(pair.samples.size(), 20U * kMaximumBatch);
+  EXPECT_NEAR(static_cast<double>(pair.robot.linkCounters().samples_dropped - dropped), 20.0 * (100 - 32), 100.0);
+  for (std::size_t i = 1; i < pair.samples.size(); ++i) {  // one a millisecond, and a gap before each state's first
+    const double gap_ms = i % kMaximumBatch == 0 ? 69.0 : 1.0;
+    ASSERT_NEAR(toMilliseconds(pair.samples[i].taken - pair.samples[i - 1].taken), gap_ms, 0.02) << i;
+  }
+}
+
 TEST(LinkEnds, AccelerationsArriveWithTheirOwnTimesOnTheTouchpadsClock) {
   LinkPair pair;
   pair.weather = {.delay_ms = 4.0};
