@@ -116,8 +116,9 @@ void HapticThread::publish(const Neighbours& neighbours, const pipeline::Outputs
   const Instant now = inputs_.now;
   const auto tested = device_test.step(inputs_, outputs, pipeline_.parameters().control);
   control::MotorCommand motors = tested ? *tested : outputs.motors;
-  if (release_.step(outputs.telemetry.state, inputs_.motors.age(now))) motors.active = false;
-  neighbours.touchpad.command.write({.command = motors, .given = now});
+  const bool released = release_.step(outputs.telemetry.state, inputs_.motors.age(now));
+  if (released) motors.active = false;
+  neighbours.touchpad.command.write({.command = motors, .given = now, .released = released});
   (void)neighbours.touchpad.duties.push(motors.vibration_duty_percent);  // full only while the device is silent
   if (neighbours.link != nullptr) {
     neighbours.link->announcement.write({.touch = outputs.touch,

@@ -49,12 +49,14 @@ void TouchpadThread::takeDuties() {
   }
 }
 
-void TouchpadThread::report(Instant now) {
+void TouchpadThread::report(Instant now, bool released) {
   if (!answering_) monitor_.describe(touchpad_->description());
   answering_ = true;
   Message complaint = touchpad_->complaint();
   if (complaint.empty()) complaint = plausibility_.complaint();
   if (complaint.empty()) complaint = frozen_.complaint();
+  if (complaint.empty() && released) complaint = touchpad_->whySwitchedOff();
+  if (complaint.empty() && released) complaint = plausibility_.whyWithheld();
   if (monitor_.succeeded(now, complaint)) spdlog::warn("Touchpad: {}", complaint.text());
 }
 
@@ -84,14 +86,15 @@ void TouchpadThread::run(const std::stop_token& stop) {
   control::MotorCommand last;
   while (!stop.stop_requested()) {
     const Instant now = Clock::now();
-    last = guardedCommand(command.read(), now);
+    const StampedMotorCommand& stamped = command.read();
+    last = guardedCommand(stamped, now);
     takeDuties();
     const auto exchanged = touchpad_->exchange(last, now);
     if (exchanged) {
       control::MotorCommand followed = last;
       followed.active = last.active && touchpad_->driven();
       readings.write(plausibility_.check(frozen_.check(*exchanged), followed, now));
-      report(now);
+      report(now, stamped.released);
       retry = kFirstRetry;
       due = std::max(due + touchpad_->period(), Clock::now());
     } else {

@@ -21,6 +21,7 @@ namespace fyd::station {
 struct StampedMotorCommand {
   control::MotorCommand command;
   Instant given{};
+  bool released = false;  ///< off because the motors were given up while Held: why is still to be shown
 };
 
 inline constexpr Duration kCommandTimeout = std::chrono::milliseconds(20);
@@ -49,7 +50,7 @@ class TouchpadThread {
  private:
   void run(const std::stop_token& stop);
   void takeDuties();
-  void report(Instant now);
+  void report(Instant now, bool released);
   void publishReports(Instant now);
 
   std::unique_ptr<device::Touchpad> touchpad_;

@@ -6378,12 +6378,12 @@ Pour commencer : %1</translation>
         <translation>codeur {}</translation>
     </message>
     <message>
-        <source>encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again</source>
-        <translation>le codeur {} a sauté de {:.0f}° en {:.0f} ms : vérifier son aimant et son câble ; arrêter, puis armer de nouveau</translation>
+        <source>encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable, then arm again</source>
+        <translation>le codeur {} a sauté de {:.0f}° en {:.0f} ms : vérifier son aimant et son câble, puis armer de nouveau</translation>
     </message>
     <message>
-        <source>encoder {} stands still although its motor was sent {:.0f}° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
-        <translation>le codeur {} reste immobile bien que son moteur ait été envoyé {:.0f}° plus loin : vérifier l'alimentation des moteurs et le câble du codeur ; arrêter, puis armer de nouveau</translation>
+        <source>encoder {} stands still although its motor was sent {:.0f}° further: check the motors' supply and the encoder's cable, then arm again</source>
+        <translation>le codeur {} reste immobile bien que son moteur ait été envoyé {:.0f}° plus loin : vérifier l'alimentation des moteurs et le câble du codeur, puis armer de nouveau</translation>
     </message>
     <message>
         <source>ended: a motor did not follow its commanded angle; check its encoder and that it can turn</source>
@@ -7038,8 +7038,8 @@ Pour commencer : %1</translation>
         <translation>la carte moteurs {} sur {} n'obéit pas : ses moteurs sont en marche, attendus éteints ; couper son alimentation</translation>
     </message>
     <message>
-        <source>motor board {} at {} {}: stop, then arm again</source>
-        <translation>carte moteurs {} sur {} {} : arrêter, puis armer de nouveau</translation>
+        <source>motor board {} at {} {}: mend that, then arm again</source>
+        <translation>carte moteurs {} sur {} {} : y remédier, puis armer de nouveau</translation>
     </message>
     <message>
         <source>motor board {} at {}, {} Bd</source>
@@ -9802,8 +9802,8 @@ Pour commencer : %1</translation>
         <translation>{} : speed = {} : attendu de {} à {}</translation>
     </message>
     <message>
-        <source>{}: stop, then arm again</source>
-        <translation>{} : arrêter, puis armer de nouveau</translation>
+        <source>{}: mend that, then arm again</source>
+        <translation>{} : y remédier, puis armer de nouveau</translation>
     </message>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>

@@ -6378,12 +6378,12 @@ Per cominciare: %1</translation>
         <translation>encoder {}</translation>
     </message>
     <message>
-        <source>encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again</source>
-        <translation>l'encoder {} è saltato di {:.0f}° in {:.0f} ms: controllare magnete e cavo; fermare, poi armare di nuovo</translation>
+        <source>encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable, then arm again</source>
+        <translation>l'encoder {} è saltato di {:.0f}° in {:.0f} ms: controllare magnete e cavo, poi armare di nuovo</translation>
     </message>
     <message>
-        <source>encoder {} stands still although its motor was sent {:.0f}° further: check the motors' supply and the encoder's cable; stop, then arm again</source>
-        <translation>l'encoder {} è fermo benché il suo motore sia stato mandato {:.0f}° più in là: controllare l'alimentazione dei motori e il cavo dell'encoder; fermare, poi armare di nuovo</translation>
+        <source>encoder {} stands still although its motor was sent {:.0f}° further: check the motors' supply and the encoder's cable, then arm again</source>
+        <translation>l'encoder {} è fermo benché il suo motore sia stato mandato {:.0f}° più in là: controllare l'alimentazione dei motori e il cavo dell'encoder, poi armare di nuovo</translation>
     </message>
     <message>
         <source>ended: a motor did not follow its commanded angle; check its encoder and that it can turn</source>
@@ -7038,8 +7038,8 @@ Per cominciare: %1</translation>
         <translation>scheda motori {} su {} non obbedisce: i suoi motori sono accesi, attesi spenti; spegnerne l'alimentazione</translation>
     </message>
     <message>
-        <source>motor board {} at {} {}: stop, then arm again</source>
-        <translation>scheda motori {} su {} {}: fermare, poi armare di nuovo</translation>
+        <source>motor board {} at {} {}: mend that, then arm again</source>
+        <translation>scheda motori {} su {} {}: porvi rimedio, poi armare di nuovo</translation>
     </message>
     <message>
         <source>motor board {} at {}, {} Bd</source>
@@ -9802,8 +9802,8 @@ Per cominciare: %1</translation>
         <translation>{}: speed = {}: atteso da {} a {}</translation>
     </message>
     <message>
-        <source>{}: stop, then arm again</source>
-        <translation>{}: fermare, poi armare di nuovo</translation>
+        <source>{}: mend that, then arm again</source>
+        <translation>{}: porvi rimedio, poi armare di nuovo</translation>
     </message>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>

@@ -60,7 +60,7 @@ class Operator {
       arm_at_ = now + milliseconds(50 + chance.below(600));
       arms_ = 0;
     } else if (now >= arm_at_) {
-      // A device that switched its motors off asks for "stop, then arm again".
+      // A device that switched its motors off is armed again, with a stop before it now and then.
       give(++arms_ % 4 == 0 ? OperatorAction::stop : OperatorAction::arm);
       arm_at_ = now + milliseconds(50 + chance.below(600));
     }

@@ -120,10 +120,10 @@ class MannersTest : public QObject {
                       say("exception 3: it refuses the value"))),
              QString::fromUtf8("10.0.0.7:502 : lecture au registre 5 : exception 3 : il refuse la valeur"));
     QCOMPARE(
-        said(say("{}: stop, then arm again",
+        said(say("{}: mend that, then arm again",
                  explained(say("the touchpad's motors are in the state {}", say("fault")), say("heartbeat lost")))),
-        QString::fromUtf8("les moteurs du touchpad sont dans l'état défaut (battement perdu) : arrêter, puis armer de "
-                          "nouveau"));
+        QString::fromUtf8("les moteurs du touchpad sont dans l'état défaut (battement perdu) : y remédier, puis "
+                          "armer de nouveau"));
   }
 
   void whatARecordingHoldsOfEventsIsSaidInTheWindowsLanguage() {

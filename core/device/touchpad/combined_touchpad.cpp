@@ -21,6 +21,16 @@ void CombinedTouchpad::Half::publish(DeviceReport report) {
   report_ = std::move(report);
 }
 
+void CombinedTouchpad::Half::remember(Message why_switched_off) {
+  const std::lock_guard lock(mutex_);
+  why_switched_off_ = std::move(why_switched_off);
+}
+
+Message CombinedTouchpad::Half::whySwitchedOff() const {
+  const std::lock_guard lock(mutex_);
+  return why_switched_off_;
+}
+
 Message CombinedTouchpad::Half::description(const Message& fallback) const {
   const std::lock_guard lock(mutex_);
   return report_.description.empty() ? fallback : report_.description;
@@ -97,6 +107,7 @@ void CombinedTouchpad::runMotors(const std::stop_token& stop) {
     } else {
       motor_half_.monitor.failed(moved.error().message);
     }
+    motor_half_.remember(motors_->whySwitchedOff());
     failures = moved ? 0 : failures + 1;
     if (motor_half_.reportDue(now)) motor_half_.publish(motors_->report());
     std::this_thread::sleep_until(failures < kFailuresUntilRest ? now + period() : Clock::now() + kRetry);
@@ -125,6 +136,8 @@ Message CombinedTouchpad::complaint() const {
   const Message sensors = sensor_half_.monitor.problem(now);
   return sensors.empty() ? motor_half_.monitor.problem(now) : sensors;
 }
+
+Message CombinedTouchpad::whySwitchedOff() const { return motor_half_.whySwitchedOff(); }
 
 std::vector<DeviceReport> CombinedTouchpad::reports() const {
   const Instant now = Clock::now();

@@ -27,6 +27,7 @@ class CombinedTouchpad final : public Touchpad {
   /// @return an error when both fail, and before either has answered
   [[nodiscard]] Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
   [[nodiscard]] Message complaint() const override;
+  [[nodiscard]] Message whySwitchedOff() const override;
   [[nodiscard]] std::vector<DeviceReport> reports() const override;
   /// 1 ms: the motor board takes no batches of vibration duties, so each exchange carries one.
   [[nodiscard]] Duration period() const override { return std::chrono::milliseconds(1); }
@@ -45,12 +46,15 @@ class CombinedTouchpad final : public Touchpad {
     /// True ten times a second: the device's report is to be renewed.
     [[nodiscard]] bool reportDue(Instant now);
     void publish(DeviceReport report);
+    void remember(Message why_switched_off);
+    [[nodiscard]] Message whySwitchedOff() const;
     [[nodiscard]] Message description(const Message& fallback) const;
     [[nodiscard]] DeviceReport report(Instant now) const;
 
    private:
     mutable std::mutex mutex_;
     DeviceReport report_;
+    Message why_switched_off_;
     Instant report_due_{};  // used by its own thread only
   };
 

@@ -118,8 +118,8 @@ tl::unexpected<Error> ModbusTouchpad::lost(Error error) {
 void ModbusTouchpad::followCommand(bool active) {
   if (!active) {
     arming_ = Arming::off;
-    refusal_ = {};
   } else if (!was_active_) {
+    refusal_ = {};
     arming_ = Arming::switching_on;
     acknowledge_fault_ = true;
     cycles_switching_on_ = 0;
@@ -285,8 +285,12 @@ std::vector<DeviceReport> ModbusTouchpad::reports() const {
   return {std::move(out)};
 }
 
+Message ModbusTouchpad::whySwitchedOff() const {
+  return refusal_.empty() ? Message{} : say("{}: mend that, then arm again", refusal_);
+}
+
 Message ModbusTouchpad::complaint() const {
-  if (arming_ == Arming::refused) return say("{}: stop, then arm again", refusal_);
+  if (arming_ == Arming::refused) return whySwitchedOff();
   if (!obeys_) return say("{}: set it to remote, and close what else drives it", phrase(kDisobeys));
   if (stands_still_)
     return say("the touchpad answers, but its clock or its count of value sets stands still: switch it off and on");

@@ -44,6 +44,7 @@ class ModbusTouchpad final : public Touchpad {
   [[nodiscard]] Result<std::string> askSerial();
   void queueVibration(std::span<const VibrationDuty> duties) override;
   [[nodiscard]] Message complaint() const override;
+  [[nodiscard]] Message whySwitchedOff() const override;
   [[nodiscard]] std::vector<DeviceReport> reports() const override;
   [[nodiscard]] Duration period() const override { return period_; }
 
@@ -77,7 +78,7 @@ class ModbusTouchpad final : public Touchpad {
   bool was_active_ = false;
   bool acknowledge_fault_ = false;
   int cycles_switching_on_ = 0;
-  Message refusal_;  // why the motors are off while the command wants them on
+  Message refusal_;  // why the motors went off while the command wanted them on; until it turns active again
   protocol::DriveState drive_ = protocol::DriveState::not_ready_to_switch_on;  // as last reported
   bool obeys_ = true;
   bool stands_still_ = false;

@@ -65,7 +65,7 @@ void Plausibility::checkTravel(const Timed<control::MotorFeedback>& motors, Inst
   for (std::size_t i = 0; i < control::kMotorCount; ++i) {
     const double moved = travel_deg(believed_->value.encoder_counts[i], motors.value.encoder_counts[i]);
     if (moved <= allowed_deg) continue;
-    disbelieve(say("encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable; stop, then arm again", i + 1,
+    disbelieve(say("encoder {} jumped by {:.0f}° in {:.0f} ms: check its magnet and cable, then arm again", i + 1,
                    moved, toMilliseconds(motors.taken - believed_->taken)),
                now);
   }
@@ -90,7 +90,7 @@ void Plausibility::checkFollowing(const Timed<control::MotorFeedback>& motors, c
       still.sent_further = motors.taken;
     } else if (motors.taken - *still.sent_further > kLongestEncoderStandstill) {
       disbelieve(say("encoder {} stands still although its motor was sent {:.0f}° further: check the motors' "
-                     "supply and the encoder's cable; stop, then arm again",
+                     "supply and the encoder's cable, then arm again",
                      i + 1, further_deg),
                  now);
     }
@@ -99,6 +99,8 @@ void Plausibility::checkFollowing(const Timed<control::MotorFeedback>& motors, c
 
 void Plausibility::checkEncoders(const Timed<control::MotorFeedback>& motors, const control::MotorCommand& command,
                                  Instant now) {
+  if (command.active && !was_active_ && !disbelieved_) why_ = {};
+  was_active_ = command.active;
   if (disbelieved_ && !command.active && now - disbelieved_at_ > kWithheldWhileInactive) {
     disbelieved_ = false;
     believed_.reset();

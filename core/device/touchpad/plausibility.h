@@ -31,6 +31,8 @@ class Plausibility {
                                        Instant now);
   /// Which readings are implausible and why; empty: none.
   [[nodiscard]] Message complaint() const;
+  /// Why the motors' readings were last withheld, until a command that turns active; or empty.
+  [[nodiscard]] const Message& whyWithheld() const { return why_; }
 
  private:
   struct Sensor {
@@ -61,6 +63,7 @@ class Plausibility {
   };
   std::array<Standstill, control::kMotorCount> standstill_{};
   bool following_ = false;  // the motors are on: standstill_ is valid
+  bool was_active_ = false;
   bool disbelieved_ = false;
   Instant disbelieved_at_{};
   Message why_;

@@ -50,8 +50,18 @@ DeviceReport QbmoveMotors::report() const {
   return out;
 }
 
+Message QbmoveMotors::whySwitchedOff() const {
+  if (refusal_.empty()) return {};
+  return say("motor board {} at {} {}: mend that, then arm again", parameters_.qbmove_id, path_, refusal_);
+}
+
+void QbmoveMotors::refuse(std::string_view why) {
+  refused_ = true;
+  refusal_ = phrase(why);
+}
+
 void QbmoveMotors::lose(std::string_view why) {
-  if (energised_) refusal_ = phrase(why);
+  if (energised_) refuse(why);
   energised_ = off_confirmed_ = false;
   parser_.reset();
 }
@@ -169,15 +179,17 @@ Result<void> QbmoveMotors::checkActivation() {
 }
 
 Result<control::MotorFeedback> QbmoveMotors::exchange(const control::MotorCommand& command) {
-  if (!command.active) refusal_ = {};
+  if (!command.active) refused_ = false;
+  if (command.active && !was_active_) refusal_ = {};
+  was_active_ = command.active;
   if (!port_) {
     if (auto connected = connect(); !connected) {
-      if (command.active) refusal_ = phrase(kLost);
+      if (command.active) refuse(kLost);
       return tl::unexpected(connected.error());
     }
   }
   control::MotorCommand obeyed = command;
-  obeyed.active = command.active && refusal_.empty();
+  obeyed.active = command.active && !refused_;
   if (auto followed = follow(obeyed); !followed) return tl::unexpected(followed.error());
   auto measured = measure();
   if (measured) {
@@ -189,8 +201,8 @@ Result<control::MotorFeedback> QbmoveMotors::exchange(const control::MotorComman
   }
   failures_ = 0;
   newest_.set(*measured, Clock::now());
-  if (refusal_.empty()) return measured;
-  return fail("motor board {} at {} {}: stop, then arm again", parameters_.qbmove_id, path_, refusal_);
+  if (!refused_) return measured;
+  return fail(whySwitchedOff());
 }
 
 }  // namespace fyd::device

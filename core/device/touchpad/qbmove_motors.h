@@ -35,6 +35,8 @@ class QbmoveMotors {
 
   /// Kind, description, counters and values; the caller fills in rate, age, errors and problem.
   [[nodiscard]] DeviceReport report() const;
+  /// As of Touchpad.
+  [[nodiscard]] Message whySwitchedOff() const;
 
  private:
   [[nodiscard]] Result<void> connect();
@@ -44,6 +46,7 @@ class QbmoveMotors {
   [[nodiscard]] Result<control::MotorFeedback> measure();
   [[nodiscard]] Result<void> checkActivation();
   void lose(std::string_view why);
+  void refuse(std::string_view why);
 
   std::string path_;
   DeviceParameters parameters_;
@@ -51,8 +54,10 @@ class QbmoveMotors {
   protocol::QbmoveParser parser_;
   bool energised_ = false;
   bool off_confirmed_ = false;  // the board has said that its motors are off
-  Message refusal_;   // why the motors stay off although the command wants them on
-  int failures_ = 0;  // in a row
+  bool was_active_ = false;
+  bool refused_ = false;  // the motors stay off although the command wants them on
+  Message refusal_;       // why; until the command turns active again
+  int failures_ = 0;      // in a row
   int exchanges_ = 0;
   std::uint64_t late_replies_ = 0;
   std::uint64_t connections_ = 0;

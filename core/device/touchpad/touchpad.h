@@ -50,6 +50,10 @@ class Touchpad {
   /// What the device complains of although it answers (motors switched off by itself, …), and the remedy; or empty.
   [[nodiscard]] virtual Message complaint() const { return {}; }
 
+  /// Why its motors last went off by themselves, and the remedy: until a command that turns active, also while nothing
+  /// is wrong any more. Or empty.
+  [[nodiscard]] virtual Message whySwitchedOff() const { return {}; }
+
   /// A report for each part, with live values. If there is only one, the caller fills in its rate, age, errors and
   /// problem; several fill in their own.
   [[nodiscard]] virtual std::vector<DeviceReport> reports() const { return {}; }

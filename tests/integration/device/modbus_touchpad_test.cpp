@@ -273,8 +273,12 @@ TEST(ModbusTouchpad, ADriveThatSwitchedItselfOffStaysOffUntilTheCommandHasBeenIn
   EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("over-temperature"));
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(ask(true));
   EXPECT_EQ(device.drive.state(), protocol::DriveState::fault);
-  ASSERT_TRUE(ask(false));
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(ask(false));
   EXPECT_EQ(ask.touchpad.complaint().text(), "");
+  EXPECT_GT(ask(false)->motors.count, before);
+  EXPECT_THAT(ask.touchpad.whySwitchedOff().text(), HasSubstr("over-temperature): mend that, then arm again"));
+  ASSERT_TRUE(ask(true));
+  EXPECT_EQ(ask.touchpad.whySwitchedOff().text(), "");
   for (int i = 0; i < 8; ++i) ASSERT_TRUE(ask(true));
   EXPECT_EQ(device.drive.state(), protocol::DriveState::operation_enabled);
 }
@@ -286,7 +290,7 @@ TEST(ModbusTouchpad, ACommandThatTurnedActiveWhileTheDeviceWasAwayNeverMovesIt) 
   ASSERT_FALSE(ask(true));
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(ask(true));
   EXPECT_EQ(device.drive.state(), protocol::DriveState::switch_on_disabled);
-  EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("stop, then arm again"));
+  EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("mend that, then arm again"));
 }
 
 }  // namespace

@@ -156,6 +156,26 @@ TEST_F(MotorsOff, AMotorBoardThatIsHeardNoMoreIsSwitchedOffAllTheSame) {
   EXPECT_FALSE(board.on);
 }
 
+TEST_F(MotorsOff, WhyAMotorBoardIsOffIsKnownUntilItIsSwitchedOnAgain) {
+  auto line = PseudoTerminal::open(folder.file("board"));
+  ASSERT_TRUE(line) << line.error().text();
+  BoardOnABadLine board(std::move(*line));
+  device::QbmoveMotors motors(folder.file("board"), parameters);
+  ASSERT_TRUE(motors.exchange({}));
+  ASSERT_TRUE(motors.exchange({.active = true}));
+  ASSERT_TRUE(board.on);
+  board.on = false;  // by itself
+  Result<control::MotorFeedback> moved = control::MotorFeedback{};
+  for (int i = 0; i < 100 && moved; ++i) moved = motors.exchange({.active = true});
+  ASSERT_FALSE(moved);
+  EXPECT_EQ(moved.error().text(), motors.whySwitchedOff().text());
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(motors.exchange({})) << "its readings are back at once";
+  EXPECT_THAT(motors.whySwitchedOff().text(), testing::HasSubstr("by itself: mend that, then arm again"));
+  ASSERT_TRUE(motors.exchange({.active = true}));
+  EXPECT_TRUE(board.on);
+  EXPECT_EQ(motors.whySwitchedOff().text(), "");
+}
+
 TEST_F(MotorsOff, ATouchpadThatDoesNotObeyOffIsSwitchedOffByItsWatchdog) {
   constexpr Duration kCycle = milliseconds(4);
   constexpr Duration kBegins = milliseconds(400);

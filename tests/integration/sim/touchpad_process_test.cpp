@@ -141,7 +141,7 @@ TEST_P(BothLines, SilenceSwitchesTheMotorsOffAtTheDeviceAndTheyStayOff) {
   rig.process->inject(TouchpadFault::silence, 1.0);
   ASSERT_TRUE(rig.exchangeUntil("the device's watchdog", true, [&] { return !rig.motorsOn(); }));
   ASSERT_TRUE(rig.exchangeUntil("a complaint of the motors", true, [&] {
-    return rig.touchpad->complaint().text().find("stop, then arm again") != std::string::npos;
+    return rig.touchpad->complaint().text().find("mend that, then arm again") != std::string::npos;
   }));
   for (int i = 0; i < 50; ++i) {
     (void)rig.exchange(true);

@@ -131,12 +131,7 @@ class DeviceRig {
     }
     return false;
   }
-  [[nodiscard]] bool allOk() const {
-    for (const ReadinessLine& line : station->readiness()) {
-      if (!line.ok) return false;
-    }
-    return part().ok;
-  }
+  [[nodiscard]] bool allOk() const { return linesOk() && part().ok; }
 
   /// Takes the telemetry there is. Counts samples, the Active ones, and encoders' angles that no motor can have had.
   void drain() {
@@ -168,10 +163,18 @@ class DeviceRig {
     const std::uint64_t end = samples + steps;
     return wait(fmt::format("{} steps", steps), [&] { return samples >= end; });
   }
-  /// Waits until everything answers; switched-off motors are released as their device asks: "stop, then arm again".
+  /// Whether a problem that ends in "then arm again" is shown now: the motors went off by themselves.
+  [[nodiscard]] bool isToBeArmed(std::string_view why) const {
+    const std::string problem = part().problem.text();
+    return problem.find(why) != std::string::npos && problem.ends_with("then arm again");
+  }
+  [[nodiscard]] bool linesOk() const {
+    return std::ranges::all_of(station->readiness(), [](const ReadinessLine& line) { return line.ok; });
+  }
+  /// Waits until everything answers. A stop ends what is said of motors that went off by themselves.
   [[nodiscard]] testing::AssertionResult well() {
     return wait("every device and line of the readiness list", [this] {
-      if (part().problem.text().find("stop, then arm again") != std::string::npos) station->requestStop();
+      if (isToBeArmed("")) station->requestStop();
       return allOk();
     });
   }

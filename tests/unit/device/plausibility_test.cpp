@@ -105,6 +105,9 @@ TEST(Plausibility, AnEncoderThatJumpsIsWithheldUntilTheOperatorStops) {
   out = source.run(0.1, false);
   EXPECT_EQ(out.motors.taken, source.now);
   EXPECT_EQ(source.watch.complaint().text(), "");
+  EXPECT_THAT(source.watch.whyWithheld().text(), HasSubstr("encoder 1 jumped")) << "for as long as nothing is armed";
+  source.step();
+  EXPECT_EQ(source.watch.whyWithheld().text(), "");
 }
 
 TEST(Plausibility, AJumpWithTheMotorsOffIsShownForASecond) {
