@@ -60,7 +60,7 @@ TEST(LinkEnds, SlowerWishesAreGrantedAndTooSlowOnesAreNot) {
 }
 
 TEST(LinkEnds, AtTenStatesASecondTheNewestThirtyTwoAccelerationsGoAndTheOthersAreCounted) {
-  LinkPair pair({.lost_cap_ms = 400.0, .state_rate_Hz = 10.0});  // three periods lie within the cap
+  LinkPair pair(LinkParameters{.lost_cap_ms = 400.0, .state_rate_Hz = 10.0});  // three periods lie within the cap
   ASSERT_TRUE(pair.connect());
   pair.run(1.0);
   pair.keep_samples = true;
