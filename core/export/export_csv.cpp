@@ -1,8 +1,6 @@
 // Telemetry to CSV, and the log beside it: OUT.csv and OUT.events.csv.
 //
 // Lost rows are not filled in: step and time jump there.
-#include <filesystem>
-
 #include "core/export/export_csv_text.h"
 #include "core/export/export_selection.h"
 #include "core/export/export_words.h"
@@ -56,10 +54,10 @@ Result<ExportResult> exportCsv(const recording::Recording& recording, const std:
   if (!lines) return tl::unexpected(lines.error());
 
   ExportResult result{.rows = selection->end - selection->first};
-  const std::string events_path = std::filesystem::path(path).replace_extension(".events.csv").string();
+  result.files = exportFiles(path);
   auto rows_file = recording::ExportFile::create(path, options.replace);
   if (!rows_file) return tl::unexpected(rows_file.error());
-  auto events_file = recording::ExportFile::create(events_path, options.replace);
+  auto events_file = recording::ExportFile::create(result.files.back(), options.replace);
   if (!events_file) return tl::unexpected(events_file.error());
 
   auto done = writeRows(recording, *selection, *rows_file);
@@ -67,7 +65,6 @@ Result<ExportResult> exportCsv(const recording::Recording& recording, const std:
   if (done) done = events_file->commit();
   if (done) done = rows_file->commit();  // last: when this file exists, both do
   if (!done) return tl::unexpected(done.error());
-  result.files = {path, events_path};
   return result;
 }
 

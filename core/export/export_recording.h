@@ -37,6 +37,14 @@ struct ExportResult {
   std::uint64_t messages = 0;  ///< MCAP
 };
 
+/// The files that an export to `path` makes: that one, and the one beside it.
+[[nodiscard]] std::vector<std::string> exportFiles(const std::string& path);
+
+/// Whether an export can be what its words say, whichever the recording: kind of file, fields, order of the bounds.
+[[nodiscard]] Result<void> checkExport(const std::string& path, const ExportOptions& options);
+/// Of these, fields and bounds (export_selection.cpp).
+[[nodiscard]] Result<void> checkSelection(const ExportOptions& options);
+
 /// Every file is written under a temporary name in the same folder, synced, then renamed: there is never half a file.
 /// @return an error for an unknown extension or field, an empty range, an existing file, a full disk, and when
 /// `progress` ended it

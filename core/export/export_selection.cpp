@@ -6,14 +6,20 @@
 namespace fyd::exports {
 namespace {
 
-Result<std::vector<const pipeline::TelemetryField*>> selectFields(const std::vector<std::string>& names) {
+using ChosenFields = std::vector<const pipeline::TelemetryField*>;
+
+/// @return an error when the bounds are in the wrong order or NaN, and for an unknown field
+Result<ChosenFields> selectFields(const ExportOptions& options) {
+  if (!(options.from_s <= options.to_s)) {
+    return fail("from {} s to {} s: the first must not be larger than the second", options.from_s, options.to_s);
+  }
   const auto all = pipeline::telemetryFields();
-  std::vector<const pipeline::TelemetryField*> fields;
-  if (names.empty()) {
+  ChosenFields fields;
+  if (options.fields.empty()) {
     for (const auto& field : all) fields.push_back(&field);
     return fields;
   }
-  for (const std::string& name : names) {
+  for (const std::string& name : options.fields) {
     const auto found = std::ranges::find(all, name, &pipeline::TelemetryField::name);
     if (found == all.end()) {
       std::string known;
@@ -28,11 +34,13 @@ Result<std::vector<const pipeline::TelemetryField*>> selectFields(const std::vec
 
 }  // namespace
 
+Result<void> checkSelection(const ExportOptions& options) {
+  if (const auto fields = selectFields(options); !fields) return tl::unexpected(fields.error());
+  return {};
+}
+
 Result<ExportSelection> selectRows(const recording::Recording& recording, const ExportOptions& options) {
-  if (!(options.from_s <= options.to_s)) {
-    return fail("from {} s to {} s: the first must not be larger than the second", options.from_s, options.to_s);
-  }
-  auto fields = selectFields(options.fields);
+  auto fields = selectFields(options);
   if (!fields) return tl::unexpected(fields.error());
   ExportSelection selection{.fields = std::move(*fields), .progress = options.progress};
   const auto first = recording.rowAt(options.from_s);

@@ -171,7 +171,6 @@ Result<void> writeFrames(const recording::Recording& recording, std::uint64_t fi
 
 Result<ExportResult> exportVideo(const recording::Recording& recording, const std::string& path,
                                  const ExportOptions& options) {
-  if (!options.fields.empty()) return fail("{}: a video has no fields to choose", path);
   if (const auto range = selectRows(recording, options); !range) return tl::unexpected(range.error());
   const auto first = pictureIndexAt(recording, options.from_s);
   if (!first) return tl::unexpected(first.error());
@@ -179,11 +178,10 @@ Result<ExportResult> exportVideo(const recording::Recording& recording, const st
   if (!rate_Hz) return tl::unexpected(rate_Hz.error());
 
   const std::filesystem::path target(path);
-  ExportResult result{.rate_Hz = *rate_Hz};
-  const std::string times_path = std::filesystem::path(target).replace_extension(".times.csv").string();
+  ExportResult result{.files = exportFiles(path), .rate_Hz = *rate_Hz};
   auto file = recording::ExportFile::create(path, options.replace);
   if (!file) return tl::unexpected(file.error());
-  auto times = recording::ExportFile::create(times_path, options.replace);
+  auto times = recording::ExportFile::create(result.files.back(), options.replace);
   if (!times) return tl::unexpected(times.error());
 
   const std::string extension = target.extension().string();
@@ -194,7 +192,6 @@ Result<ExportResult> exportVideo(const recording::Recording& recording, const st
   done = times->commit();
   if (done) done = file->commit();
   if (!done) return tl::unexpected(done.error());
-  result.files = {path, times_path};
   return result;
 }
 

@@ -35,18 +35,23 @@ void drawFigure(cairo_t* cairo, const ReportContent& content) {
 
 namespace {
 
+/// In small letters.
+std::string extensionOf(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
 struct ReportTarget {
   bool pdf = false;  ///< else HTML
   recording::ExportFile file;
 };
 
 Result<ReportTarget> openTarget(const std::string& path, bool replace) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (extension != ".html" && extension != ".pdf") return fail("{}: a report ends in .html or .pdf", path);
+  if (auto named = checkReportName(path); !named) return tl::unexpected(named.error());
   auto file = recording::ExportFile::create(path, replace);
   if (!file) return tl::unexpected(file.error());
-  return ReportTarget{extension == ".pdf", std::move(*file)};
+  return ReportTarget{extensionOf(path) == ".pdf", std::move(*file)};
 }
 
 /// @param gather gives the content, once the file is known to be writable
@@ -69,6 +74,12 @@ Result<void> writeGathered(Gather&& gather, const std::string& path, bool replac
 Result<void> writeReport(const recording::Recording& recording, const std::string& path, bool replace,
                          const recording::Progress& progress) {
   return writeGathered([&] { return gatherReport(recording, progress); }, path, replace, progress);
+}
+
+Result<void> checkReportName(const std::string& path) {
+  const std::string extension = extensionOf(path);
+  if (extension == ".html" || extension == ".pdf") return {};
+  return fail("{}: a report ends in .html or .pdf", path);
 }
 
 Result<void> checkReportTarget(const std::string& path, bool replace) {

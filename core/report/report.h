@@ -22,6 +22,8 @@ namespace fyd::report {
 [[nodiscard]] Result<std::string> reportHtml(const ReportContent& content);
 [[nodiscard]] Result<std::string> reportPdf(const ReportContent& content);
 
+/// Whether a report can have this name. Looks at no file.
+[[nodiscard]] Result<void> checkReportName(const std::string& path);
 /// Whether `writeReport` can make the file, before anything is done that the report is to tell of. Leaves nothing there.
 [[nodiscard]] Result<void> checkReportTarget(const std::string& path, bool replace);
 

@@ -165,13 +165,17 @@ class Exports(fyd.Case):
 
     def test_wrong_wishes_are_refused_and_leave_nothing(self):
         export = ("session", "export", self.file)
-        self.assertIn(".mcap", self.refused(1, *export, self.path("a.txt")))
-        self.assertIn("nothing_N", self.refused(1, *export, self.path("a.csv"), "--fields", "nothing_N"))
+        for words, said in ((["a.txt"], ".mcap"), (["a.csv", "--fields", "nothing_N"], "nothing_N"),
+                            (["a.csv", "--fields", "force_N,force_N"], "asked for twice"),
+                            (["a.csv", "--from", "3", "--to", "1"], "larger"), (["a.mkv", "--from", "nan"], "larger"),
+                            (["a.AVI", "--fields", "force_N"], "a video has no fields")):
+            # Whichever the recording: none is looked at.
+            said_then = self.refused(2, "session", "export", self.path("nowhere.h5"), self.path(words[0]), *words[1:])
+            self.assertIn(said, said_then)
         self.assertIn("no samples", self.refused(1, *export, self.path("a.csv"), "--from", 1000))
-        self.assertIn("larger", self.refused(1, *export, self.path("a.csv"), "--from", 3, "--to", 1))
         self.assertIn("nowhere.h5", self.refused(1, "session", "export", self.path("nowhere.h5"), self.path("a.csv")))
         self.assertIn("nofolder", self.refused(1, *export, self.path("nofolder/a.csv")))
-        self.assertIn(".pdf", self.refused(1, "session", "report", self.file, self.path("r.doc")))
+        self.assertIn(".pdf", self.refused(2, "session", "report", self.file, self.path("r.doc")))
         self.assertEqual(os.listdir(self.folder), [])
         for name in ("a.csv", "a.mat", "a.mcap", "a.mkv", "r.pdf"):
             self.write(name, "mine")

@@ -1,5 +1,6 @@
 """Whatever a command writes goes to a regular file: never in the place of a device or a pipe, through links, with the
 mode the file had; or to standard output where it is named."""
+import filecmp
 import os
 import shutil
 import stat
@@ -104,7 +105,16 @@ class WriteTargets(fyd.Case):
         path = self.write("path.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,1\n0.1,0,0,0\n")
         link = self.path("link.csv")
         os.symlink("path.csv", link)
-        for to, command in ((self.recording, ("session", "replay", self.recording, "--telemetry")),
+        table, page, leading = self.path("table.csv"), self.path("page.html"), self.path("leading.mat")
+        for name in (table, page):
+            shutil.copy(self.recording, name)
+        os.symlink("table.csv", leading)
+        for to, command in ((table, ("session", "export", table, "--force")),
+                            (table, ("session", "export", self.recording, "--force")),
+                            (leading, ("session", "export", self.recording, "--force")),
+                            (page, ("session", "report", page, "--force")),
+                            (page, ("session", "report", self.recording, "--force")),
+                            (self.recording, ("session", "replay", self.recording, "--telemetry")),
                             (kept, ("session", "replay", self.recording, "--telemetry")),
                             (kept, ("params", "--save")),
                             (link, ("scene", "run", "echography", "--path", path, "-o")),
@@ -121,6 +131,12 @@ class WriteTargets(fyd.Case):
                 else:
                     with open(to, "rb") as file:
                         self.assertEqual(file.read(), before)
+        for out, beside in (("new.csv", "new.events.csv"), ("new.avi", "new.times.csv")):
+            shutil.copy(self.recording, self.path(beside))
+            said = self.refused(1, "session", "export", self.recording, self.path(out), "--force")
+            self.assertIn(f"{beside}: is, or is named as, a recording", said)
+            self.assertFalse(os.path.exists(self.path(out)))
+            self.assertTrue(filecmp.cmp(self.recording, self.path(beside), shallow=False))
         new = self.path("new.fyd")
         self.assertIn("choose another name", self.refused(1, *SESSION, "--record", new, "--telemetry", new))
         self.assertFalse(os.path.exists(new) or os.path.exists(new + ".partial"))

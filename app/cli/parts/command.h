@@ -31,6 +31,26 @@ T valueOrFail(Result<T> result) {
   if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
 
+/// The value, or UsageError: for what is judged by the words alone.
+template <class T>
+T valueOrUsage(Result<T> result) {
+  if (!result) throw UsageError(std::move(result.error().message));
+  if constexpr (!std::is_void_v<T>) return std::move(*result);
+}
+
+/// Check of an option: the word is one that `judge`, which gives a Result, finds good. An empty one is refused by every
+/// option (program.cpp).
+template <class Judge>
+[[nodiscard]] CLI::Validator goodFor(Judge judge) {
+  return CLI::Validator(
+      [judge](const std::string& word) {
+        if (word.empty()) return std::string();
+        const auto judged = judge(word);
+        return judged ? std::string() : judged.error().text();
+      },
+      "");
+}
+
 /// Check of an option: a number from `least` to `most`. CLI::Range takes NaN for one in any range.
 [[nodiscard]] CLI::Validator numberFrom(double least, double most);
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "app/cli/parts/output_file.h"
 #include "app/cli/session/session_cli.h"
 #include "core/export/export_recording.h"
 #include "core/recording/reader/recording_health.h"
@@ -24,7 +25,15 @@ Result<T> naming(const ExportCommand& command, Result<T> result) {
   return fail(about(command.session.file, result.error().message));
 }
 
+/// A file to be replaced may be the recording itself, or another one.
+void refuseToReplace(const ExportCommand& command, const std::vector<std::string>& files) {
+  if (!command.options.replace) return;
+  for (const std::string& file : files) refuseToDestroy(file, {command.session.file});
+}
+
 void runExport(const ExportCommand& command) {
+  valueOrUsage(exports::checkExport(command.out, command.options));
+  refuseToReplace(command, exports::exportFiles(command.out));
   const auto recording = openRecording(command.session.file);
   const exports::ExportResult result =
       valueOrFail(naming(command, exports::exportRecording(*recording, command.out, command.options)));
@@ -48,6 +57,7 @@ void runExport(const ExportCommand& command) {
 }
 
 void runReport(const ExportCommand& command) {
+  refuseToReplace(command, {command.out});
   const auto recording = openRecording(command.session.file);
   valueOrFail(naming(command, report::writeReport(*recording, command.out, command.options.replace)));
   nlohmann::ordered_json json;
@@ -81,7 +91,7 @@ void addSessionReport(CLI::App& parent) {
   auto options = std::make_shared<ExportCommand>();
   CLI::App* command = parent.add_subcommand("report", "One page for people: curves, touches, gains, events, health");
   addSessionOptions(*command, options->session);
-  command->add_option("out", options->out, "OUT.html or OUT.pdf")->required();
+  command->add_option("out", options->out, "OUT.html or OUT.pdf")->required()->check(goodFor(report::checkReportName));
   command->add_flag("--force", options->options.replace, "Replace a file that exists");
   command->callback([options] { runReport(*options); });
 }
