@@ -41,9 +41,6 @@ Result<Wanted> wantedOf(const pipeline::Parameters& recorded, const std::vector<
       out.from_rest = true;
     }
   }
-  if (auto checked = control::checkControlParameters(out.parameters.control); !checked) {
-    return tl::unexpected(checked.error());
-  }
   return out;
 }
 
@@ -258,6 +255,11 @@ class Run {
 
 }  // namespace
 
+Result<void> checkSettings(const std::vector<std::string>& settings) {
+  if (const auto wanted = wantedOf({}, settings); !wanted) return tl::unexpected(wanted.error());
+  return {};
+}
+
 Result<ReplayResult> replay(const recording::Recording& recording, const ReplayOptions& options,
                             const ReplayObserver& observer) {
   const recording::RecordingInfo& info = recording.info();
@@ -268,6 +270,9 @@ Result<ReplayResult> replay(const recording::Recording& recording, const ReplayO
   if (!local) return tl::unexpected(local.error());
   const auto wanted = wantedOf(*recorded, options.settings);
   if (!wanted) return tl::unexpected(wanted.error());
+  if (auto whole = control::checkControlParameters(wanted->parameters.control); !whole) {
+    return tl::unexpected(whole.error());
+  }
 
   ReplayResult out{.what_if = !options.settings.empty(),
                    .closed_loop = options.closed_loop,

@@ -60,6 +60,9 @@ struct ReplayResult {
 using ReplayObserver =
     std::function<void(const pipeline::TelemetrySample& replayed, const pipeline::TelemetrySample& recorded)>;
 
+/// Whether each setting is "id=value" of a parameter of the step with a value of its kind, whichever the recording.
+[[nodiscard]] FYD_API Result<void> checkSettings(const std::vector<std::string>& settings);
+
 /// @return an error that names a wrong setting, or what is missing in the recording: rows, its state, or (closed loop)
 ///         touches that identify the cloth
 [[nodiscard]] FYD_API Result<ReplayResult> replay(const recording::Recording& recording, const ReplayOptions& options,

@@ -103,7 +103,21 @@ class Recorded(fyd.Case):
             self.assertEqual(sum(1 for _ in csv.DictReader(file)), replay["samples"])
 
     def test_a_wrong_setting_is_named(self):
-        self.assertIn("control.nothing", self.refused(1, "session", "replay", self.file, "--set", "control.nothing=1"))
+        for setting, said in (("x", "'x': expected id=value"), ("x=1", "unknown parameter 'x'"),
+                              ("control.nothing=1", "control.nothing"), ("control.kp=abc", "control.kp"),
+                              ("link.touch_rate_Hz=50", "a replay changes the step's only")):
+            # Whichever the recording: none is looked at.
+            self.assertIn(said, self.refused(2, "session", "replay", self.path("nowhere.h5"), "--set", setting))
+
+    def test_a_replay_that_cannot_be_leaves_its_table_as_it_was(self):
+        kept = self.write("kept.csv", "mine")
+        replay = ("session", "replay", self.file, "--telemetry")
+        self.refused(2, *replay, kept, "--set", "control.nothing=1")
+        for path in (kept, self.path("new.csv")):  # it takes the recorded values to see that these do not go together
+            self.assertIn("expected more than", self.refused(1, *replay, path, "--set", "control.travel_maximum_deg=-1e6"))
+        with open(kept, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "mine")
+        self.assertEqual(os.listdir(self.folder), ["kept.csv"])
 
     def test_a_recording_drives_a_session_like_a_device(self):
         result = self.json("station", "--touchpad", "recording:" + self.file, "--robot", "none",
@@ -138,7 +152,7 @@ class Recording(fyd.Case):
     def test_a_subject_is_a_code_and_never_a_name(self):
         for name in ("Anna Rossi", "<b>", "Größe", 33 * "S"):
             path = self.path("named.h5")
-            said = self.refused(1, *SESSION, "--duration", 1e6, "--record", path, "--subject", name)
+            said = self.refused(2, *SESSION, "--duration", 1e6, "--record", path, "--subject", name)
             self.assertIn(f'subject "{name}": expected a code', said)
             self.assertFalse(os.path.exists(path))
 

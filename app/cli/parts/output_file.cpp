@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "app/cli/parts/command.h"
 #include "core/base/write_target.h"
@@ -34,6 +35,20 @@ std::FILE* openDescriptor(const std::string& path) {
   if (copy < 0) return nullptr;
   std::FILE* file = ::fdopen(copy, "wb");
   if (file == nullptr) ::close(copy);
+  return file;
+}
+
+/// With all that stands in it.
+/// @param made whether it was not there
+std::FILE* openWhole(const std::string& path, bool& made) {
+  constexpr int kFlags = O_WRONLY | O_CREAT | O_CLOEXEC;
+  constexpr mode_t kMode = 0666;
+  int descriptor = ::open(path.c_str(), kFlags | O_EXCL, kMode);
+  made = descriptor >= 0;
+  if (!made) descriptor = ::open(path.c_str(), kFlags, kMode);
+  if (descriptor < 0) return nullptr;
+  std::FILE* file = ::fdopen(descriptor, "wb");
+  if (file == nullptr) ::close(descriptor);
   return file;
 }
 
@@ -88,18 +103,33 @@ void writeTextFile(const std::string& path, const std::string& text, const std::
 
 OutputFile::OutputFile(const std::string& path, const std::vector<std::string>& inputs) : path_(path) {
   refuseToDestroy(path, inputs);
-  file_.reset(isOwnDescriptor(path) ? openDescriptor(path)
-                                    : std::fopen(valueOrFail(writeTargetOf(path)).path.c_str(), "wbe"));
+  if (isOwnDescriptor(path)) {
+    file_.reset(openDescriptor(path));
+  } else {
+    target_ = valueOrFail(writeTargetOf(path)).path;
+    file_.reset(openWhole(target_, made_));
+  }
   if (!file_) throw Failure(say("{}: cannot be opened for writing", path));
 }
 
+OutputFile::~OutputFile() {
+  if (made_ && !begun_) ::unlink(target_.c_str());
+}
+
+void OutputFile::begin() {
+  if (std::exchange(begun_, true) || target_.empty()) return;
+  whole_ = ::ftruncate(::fileno(file_.get()), 0) == 0;
+}
+
 void OutputFile::write(std::string_view text) {
+  begin();
   whole_ = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && whole_;
 }
 
 void OutputFile::flush() { whole_ = std::fflush(file_.get()) == 0 && whole_; }
 
 void OutputFile::close() {
+  begin();
   whole_ = std::fclose(file_.release()) == 0 && whole_;
   if (!whole_) throw Failure(say("{}: writing failed; is the disk full?", path_));
 }

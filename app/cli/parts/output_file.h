@@ -17,12 +17,16 @@ void refuseToDestroy(const std::string& path, const std::vector<std::string>& in
 /// written, or by refuseToDestroy
 void writeTextFile(const std::string& path, const std::string& text, const std::vector<std::string>& inputs = {});
 
-/// A file that grows while the command runs. An own descriptor is written where it stands: nothing before is lost, and
-/// what is printed afterwards follows.
+/// A file that grows while the command runs. What stood under its name stays until the first write, or `close`, and a
+/// new name without either goes again: what fails before it has a word to write leaves all as it was. An own descriptor
+/// is written where it stands: nothing before is lost, and what is printed afterwards follows.
 class OutputFile {
  public:
   /// @throws Failure when it cannot be opened, or by refuseToDestroy
   OutputFile(const std::string& path, const std::vector<std::string>& inputs);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
   void write(std::string_view text);
   void flush();
   /// Throws Failure when not everything reached the file.
@@ -33,7 +37,12 @@ class OutputFile {
     void operator()(std::FILE* file) const { (void)std::fclose(file); }
   };
 
+  void begin();
+
   std::string path_;
+  std::string target_;  ///< that is really written; empty: an own descriptor
+  bool made_ = false;   ///< it was not there before
+  bool begun_ = false;
   std::unique_ptr<std::FILE, Closer> file_;
   bool whole_ = true;
 };

@@ -1,10 +1,16 @@
 #include "app/cli/parts/telemetry_csv.h"
 
+#include <utility>
+
 #include "core/export/export_csv_text.h"
 
 namespace fyd::cli {
 
-TelemetryCsv::TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs) : file_(path, inputs) {
+TelemetryCsv::TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs) : file_(path, inputs) {}
+
+void TelemetryCsv::writeNames() {
+  if (std::exchange(named_, true)) return;
+  line_.clear();
   for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
     line_ += line_.empty() ? "" : ",";
     line_ += field.name;
@@ -13,7 +19,18 @@ TelemetryCsv::TelemetryCsv(const std::string& path, const std::vector<std::strin
   file_.write(line_);
 }
 
+void TelemetryCsv::flush() {
+  writeNames();
+  file_.flush();
+}
+
+void TelemetryCsv::close() {
+  writeNames();
+  file_.close();
+}
+
 void TelemetryCsv::write(const pipeline::TelemetrySample& sample) {
+  writeNames();
   line_.clear();
   for (const pipeline::TelemetryField& field : pipeline::telemetryFields()) {
     if (!line_.empty()) line_ += ',';

@@ -9,6 +9,7 @@
 
 namespace fyd::cli {
 
+/// As an OutputFile: an old file stays until there is something to write.
 class TelemetryCsv {
  public:
   /// @param inputs of the command, as for writeTextFile
@@ -16,13 +17,16 @@ class TelemetryCsv {
   TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs);
   void write(const pipeline::TelemetrySample& sample);
   /// What was written so far stands before anything that is printed from now on.
-  void flush() { file_.flush(); }
+  void flush();
   /// Throws Failure when not everything reached the file.
-  void close() { file_.close(); }
+  void close();
 
  private:
+  void writeNames();
+
   OutputFile file_;
   std::string line_;
+  bool named_ = false;  ///< the first line is written
 };
 
 }  // namespace fyd::cli

@@ -90,6 +90,9 @@ void addSessionReplay(CLI::App& parent) {
                     "Motors and cloth answer, as identified from the recording");
   command->add_option("--telemetry", options->telemetry, "Write every replayed step's sample to this CSV file");
   command->callback([options] {
+    if (const auto good = replay::checkSettings(options->replay.settings); !good) {
+      throw UsageError(about("--set", good.error().message));
+    }
     const auto recording = openRecording(options->session.file);
     std::unique_ptr<TelemetryCsv> csv;
     replay::ReplayObserver observer;
