@@ -33,9 +33,23 @@ void printParameter(const Parameter& parameter, const Parameter& standard) {
                            parameter.info.live ? "; may change while active" : "", parameter.info.help);
 }
 
-void printMarkdown(const std::vector<Parameter>& parameters) {
+/// Where the parameters of that id, or of that module, stand. @param id empty: all
+std::vector<std::size_t> placesOf(const std::vector<Parameter>& parameters, const std::string& id) {
+  const Parameter* one = parameterNamed(parameters, id);
+  const std::string wanted = one == nullptr ? id : std::string(one->id);
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::string_view each = parameters[i].id;
+    if (wanted.empty() || each == wanted || each.starts_with(wanted + ".")) places.push_back(i);
+  }
+  if (places.empty()) throw UsageError(say("params: no parameter '{}'; 'fyd params' lists them all", id));
+  return places;
+}
+
+void printMarkdown(const std::vector<Parameter>& parameters, const std::vector<std::size_t>& places) {
   std::cout << "| id | default | range | live | meaning |\n|---|---|---|---|---|\n";
-  for (const Parameter& parameter : parameters) {
+  for (const std::size_t place : places) {
+    const Parameter& parameter = parameters[place];
     std::cout << fmt::format("| `{}` | {} | {} | {} | {} |\n", parameter.id, formatParameter(parameter),
                              describeRange(parameter), parameter.info.live ? "yes" : "", parameter.info.help);
   }
@@ -59,32 +73,27 @@ void add_params(CLI::App& app) {
   command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--markdown", options->markdown, "As the manual's table");
   command->callback([options] {
-    station::Profile profile = options->profile.load();
     station::Profile standard;
-    const auto values = bindParameters(profile);
     const auto standards = bindParameters(standard);
+    const auto places = placesOf(standards, options->id);  // before anything is written
+    station::Profile profile = options->profile.load();
+    const auto values = bindParameters(profile);
     if (!options->save.empty()) {
       refuseToDestroy(options->save, {});  // the profile itself may be saved over
       valueOrFail(station::saveProfile(profile, options->save));
     }
     if (options->markdown) {
-      printMarkdown(standards);
+      printMarkdown(standards, places);
       return;
     }
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    if (const Parameter* one = parameterNamed(values, options->id)) options->id = one->id;
-    bool found = false;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::string_view id = values[i].id;
-      if (!options->id.empty() && id != options->id && !id.starts_with(options->id + ".")) continue;
-      found = true;
+    for (const std::size_t i : places) {
       if (options->json) {
         json.push_back(describe(values[i], standards[i]));
       } else {
         printParameter(values[i], standards[i]);
       }
     }
-    if (!found) throw UsageError(say("params: no parameter '{}'; 'fyd params' lists them all", options->id));
     if (options->json) printJson(json);
   });
 }

@@ -12,6 +12,7 @@
 #include "app/cli/parts/telemetry_csv.h"
 #include "core/base/end_signals.h"
 #include "core/catalogue/catalogue.h"
+#include "core/catalogue/catalogue_address.h"
 #include "core/catalogue/catalogue_delivery.h"
 #include "core/recording/format/recording_format.h"
 #include "core/station/profile/option_words.h"
@@ -195,10 +196,9 @@ void runStation(const StationOptions& options) {
   // Log to standard error: standard output carries only the result.
   spdlog::set_default_logger(spdlog::stderr_color_mt("fyd"));
   if (options.headless) spdlog::warn("--headless is not needed: this program never opens a window");
-  if (!options.telemetry.empty()) refuseToDestroy(options.telemetry, inputsOf(options));
-  auto station = valueOrFail(station::Station::open(options.station));
-  std::unique_ptr<TelemetryCsv> csv;
+  std::unique_ptr<TelemetryCsv> csv;  // before anything is recorded
   if (!options.telemetry.empty()) csv = std::make_unique<TelemetryCsv>(options.telemetry, inputsOf(options));
+  auto station = valueOrFail(station::Station::open(options.station));
 
   ArmOnce arm;
   SessionFigures figures;
@@ -265,7 +265,8 @@ void add_station(CLI::App& app) {
   command->add_option("--subject", options->record.subject, words::kSubject);
   command->add_option("--notes", options->record.notes, words::kNotes);
   command->add_option("--tag", options->record.tags, words::kTag)->allow_extra_args(false);
-  command->add_option("--catalogue", options->catalogue, words::kCatalogue);
+  command->add_option("--catalogue", options->catalogue, words::kCatalogue)
+      ->check(goodFor(catalogue::parseCatalogueAddress));
   command->add_option("--telemetry", options->telemetry, "Write every step's sample to this CSV file");
   command->add_flag("--json", options->json, "Result as JSON");
   command->callback([options] {
@@ -281,6 +282,9 @@ void add_station(CLI::App& app) {
     } else if (!options->record.operator_name.empty() || !options->record.subject.empty() ||
                !options->record.notes.empty() || !options->record.tags.empty()) {
       throw UsageError(say("station: {}", phrase(words::kRecordMissing)));
+    }
+    if (const auto good = station::checkWords(options->station); !good) {
+      throw UsageError(about("station", good.error().message));
     }
     options->station.profile = options->profile.load();
     options->station.profile = options->profile.loadFor(station::touchpadOf(options->station));

@@ -15,7 +15,7 @@ constexpr std::string_view kSimulatedRobotEndpoint = "127.0.0.1:0";
 
 }  // namespace
 
-Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& key_file) {
+Result<RobotChoice> parseRobotChoice(std::string_view robot, const std::string& key_file) {
   const bool scene = robot.starts_with(kScenePrefix);
   const bool in_process = robot == kSimulatedRobot || robot.starts_with(kSimulatedPrefix);
   const bool classic = robot.starts_with(kClassicPrefix);
@@ -38,11 +38,15 @@ Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& k
   auto endpoint = protocol::parseEndpoint(address);
   if (!endpoint) return tl::unexpected(endpoint.error());
   choice.listen = *endpoint;
-  if (secured) {
-    auto key = protocol::readKeyFile(key_file);
-    if (!key) return tl::unexpected(key.error());
-    choice.key = *key;
-  }
+  return choice;
+}
+
+Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& key_file) {
+  auto choice = parseRobotChoice(robot, key_file);
+  if (!choice || key_file.empty()) return choice;
+  auto key = protocol::readKeyFile(key_file);
+  if (!key) return tl::unexpected(key.error());
+  choice->key = *key;
   return choice;
 }
 

@@ -22,5 +22,7 @@ struct RobotChoice {
 /// @param robot, key_file as in StationOptions. Reads the key file and opens nothing else.
 /// @return an error that says what is wrong and what was expected
 [[nodiscard]] Result<RobotChoice> readRobotChoice(std::string_view robot, const std::string& key_file);
+/// The same without the key, from the words alone.
+[[nodiscard]] Result<RobotChoice> parseRobotChoice(std::string_view robot, const std::string& key_file);
 
 }  // namespace fyd::station

@@ -137,6 +137,7 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   device::prepareCaptures();
   StationOptions options = withProfileSources(asked);
   if (options.camera.empty() && replay::recordingOf(options.touchpad)) options.camera = options.touchpad;
+  if (auto words = checkWords(options); !words) return tl::unexpected(words.error());
   const auto bound = bindToTouchpad(options);
   if (!bound) return tl::unexpected(bound.error());
   if (const auto loaded = codecs::load(); !loaded) return tl::unexpected(loaded.error());  // not in the camera's thread
@@ -147,9 +148,6 @@ Result<std::unique_ptr<Station>> Station::open(const StationOptions& asked) {
   if (!checked) return tl::unexpected(checked.error());
   const auto choice = readRobotChoice(options.robot, options.key_file);
   if (!choice) return tl::unexpected(choice.error());
-  if (!options.scene.empty() && !choice->scene.empty()) {
-    return fail("scene '{}': the robot is a scene already, '{}'", options.scene, choice->scene);
-  }
   auto local =
       readLocalModel(options.surface, options.scene + choice->scene, options.profile.step.texture.sample_rate_Hz);
   if (!local) return tl::unexpected(local.error());

@@ -13,6 +13,7 @@
 #include "core/sim/touchpad/simulated_camera.h"
 #include "core/sim/touchpad/simulated_touchpad.h"
 #include "core/station/profile/touchpad_name.h"
+#include "core/station/robot_choice.h"
 
 namespace fyd::station {
 namespace {
@@ -27,7 +28,43 @@ Result<std::optional<texture::SurfaceModel>> readSurface(const std::string& give
   return std::move(*model);
 }
 
+/// The touchpad's word, and those that depend on it.
+Result<void> checkTouchpadWords(const StationOptions& options) {
+  if (options.touchpad.empty() || options.touchpad == kSimulated) return {};
+  const bool recorded = replay::recordingOf(options.touchpad).has_value();
+  if (!recorded) {  // before a camera is missing
+    if (auto named = device::checkTouchpadSource(options.touchpad); !named) return named;
+    if (options.camera.empty()) return fail("camera: none given; only the simulated touchpad has a simulated camera");
+  }
+  if (!options.finger_csv.empty()) {
+    return fail("finger '{}': only the simulated touchpad has a simulated finger", options.finger_csv);
+  }
+  if (recorded && !options.motors.empty()) return fail("motors '{}': a recording drives no motors", options.motors);
+  return {};
+}
+
+/// Those of the robot, and of the scene beside it.
+Result<void> checkRobotWords(const StationOptions& options) {
+  if (options.robot.empty()) return {};
+  const auto choice = parseRobotChoice(options.robot, options.key_file);
+  if (!choice) return tl::unexpected(choice.error());
+  if (!options.scene.empty() && !choice->scene.empty()) {
+    return fail("scene '{}': the robot is a scene already, '{}'", options.scene, choice->scene);
+  }
+  return {};
+}
+
 }  // namespace
+
+Result<void> checkWords(const StationOptions& options) {
+  if (auto good = checkTouchpadWords(options); !good) return good;
+  if (!options.motors.empty()) {
+    if (auto good = device::checkMotorsName(options.motors); !good) return good;
+  }
+  if (auto good = checkRobotWords(options); !good) return good;
+  if (options.record) return recording::checkSubject(options.record->subject);
+  return {};
+}
 
 Result<pipeline::LocalModel> readLocalModel(const std::string& surface, const std::string& scene, double rate_Hz) {
   pipeline::LocalModel local;
@@ -79,17 +116,8 @@ Result<std::unique_ptr<device::Touchpad>> openTouchpad(const StationOptions& opt
                                                        const std::shared_ptr<replay::PlaybackStart>& playback) {
   if (world)
     return device::withMotors(std::make_unique<sim::SimulatedTouchpad>(world), options.motors, options.profile.device);
-  const auto recording = replay::recordingOf(options.touchpad);
-  if (!recording) {  // a word that names no touchpad is wrong before a camera is missing; no device is asked yet
-    if (auto named = device::openTouchpad(options.touchpad, options.profile.device); !named) return named;
-  }
-  if (options.camera.empty()) return fail("camera: none given; only the simulated touchpad has a simulated camera");
-  if (!options.finger_csv.empty()) {
-    return fail("finger '{}': only the simulated touchpad has a simulated finger", options.finger_csv);
-  }
-  if (recording) {
-    if (options.motors.empty()) return replay::RecordedTouchpad::open(*recording, playback);
-    return fail("motors '{}': a recording drives no motors", options.motors);
+  if (const auto recording = replay::recordingOf(options.touchpad)) {
+    return replay::RecordedTouchpad::open(*recording, playback);
   }
   auto touchpad = device::openTouchpad(options.touchpad, options.profile.device);
   if (!touchpad) return touchpad;

@@ -17,6 +17,10 @@ namespace fyd::station {
 
 inline constexpr std::string_view kSimulated = "simulated";
 
+/// Whether the options' words mean something and fit each other, without a look at any file or device. What is left
+/// empty is not judged: it may come from the profile.
+[[nodiscard]] Result<void> checkWords(const StationOptions& options);
+
 /// @param surface, scene files; empty: none
 [[nodiscard]] Result<pipeline::LocalModel> readLocalModel(const std::string& surface, const std::string& scene,
                                                           double rate_Hz);
@@ -33,8 +37,8 @@ inline constexpr std::string_view kSimulated = "simulated";
 /// no other one answers later. @return the same profile, with what is to be said of it; an error when a file is bad
 [[nodiscard]] Result<TouchpadProfile> bindToTouchpad(StationOptions& options);
 
+/// @param options that `checkWords` found good
 /// @param world of the simulated touchpad; null: a real or recorded one is opened
-/// @return an error also when options contradict each other
 [[nodiscard]] Result<std::unique_ptr<device::Touchpad>> openTouchpad(
     const StationOptions& options, const std::shared_ptr<sim::TouchpadWorld>& world,
     const std::shared_ptr<replay::PlaybackStart>& playback);

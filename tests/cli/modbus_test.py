@@ -235,8 +235,8 @@ class Sessions(fyd.Case):
     def test_wrong_choices_are_named(self):
         self.assertIn("--touchpad", self.refused(2, "station"))
         self.assertIn("--simulate", self.refused(2, "station", "--simulate", "--touchpad", "modbus-tcp:127.0.0.1:1"))
-        self.assertIn("camera", self.refused(1, "station", "--touchpad", "modbus-tcp:127.0.0.1:1"))
-        self.assertIn("qbmove:TTY", self.refused(1, "station", "--simulate", "--motors", "maxon"))
+        self.assertIn("camera", self.refused(2, "station", "--touchpad", "modbus-tcp:127.0.0.1:1"))
+        self.assertIn("qbmove:TTY", self.refused(2, "station", "--simulate", "--motors", "maxon"))
         self.assertIn("late-reply", self.refused(2, "sim", "touchpad", "--modbus-tcp", "127.0.0.1:0", "--fault", "noise@1"))
         self.assertIn("--modbus-rtu", self.refused(2, "sim", "touchpad"))
 

@@ -175,13 +175,26 @@ class BadInput(fyd.Case):
         self.refused(2, *SESSION, "--set", "control.kp")
         self.refused(2, *SESSION, "--set", "control.nothing=1")
         self.assertIn("control.kp", self.refused(2, *SESSION, "--set", "control.kp=nan"))
+        self.assertIn("robby", self.refused(2, *SESSION, "--robot", "robby"))
         self.refused(2, "nothing")
         self.refused(2)
 
     def test_a_failed_operation_exits_with_1(self):
-        self.assertIn("robby", self.refused(1, *SESSION, "--robot", "robby"))
         self.assertIn("nowhere.toml", self.refused(1, *SESSION, "--profile", "nowhere.toml"))
         self.assertIn("/proc/nowhere.csv", self.refused(1, *SESSION, "--duration", 1, "--telemetry", "/proc/nowhere.csv"))
+
+    def test_a_session_that_does_not_begin_leaves_nothing_and_destroys_nothing(self):
+        record = ("--duration", 1, "--record", self.path("a.h5"))
+        self.assertIn("/nowhere/t.csv", self.refused(1, *SESSION, *record, "--telemetry", "/nowhere/t.csv"))
+        kept, nowhere = self.write("kept.csv", "mine"), ("--duration", 1, "--record", "/nowhere/a.h5")
+        self.assertIn("/nowhere/a.h5", self.refused(1, *SESSION, *nowhere, "--telemetry", kept))
+        self.assertIn("/nowhere/a.h5", self.refused(1, *SESSION, *nowhere, "--telemetry", self.path("new.csv")))
+        self.assertEqual(os.listdir(self.folder), ["kept.csv"])
+        with open(kept, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "mine")
+        self.json(*SESSION, "--duration", 1, "--telemetry", kept, "--json")
+        with open(kept, encoding="utf-8") as file:
+            self.assertTrue(file.readline().startswith("step,"), "nothing of the old file stays")
 
 
 class Parameters(fyd.Case):
@@ -196,6 +209,13 @@ class Parameters(fyd.Case):
         self.json("params", "--set", "control.kp=0.25", "--save", path, "--json")
         kp = self.json("params", "control.kp", "--profile", path, "--json")
         self.assertEqual(kp[0]["value"], "0.25")
+
+    def test_a_parameter_that_there_is_not_is_refused_before_anything_is_written(self):
+        self.assertIn("'nosuch'", self.refused(2, "params", "nosuch", "--save", self.path("p.toml")))
+        self.assertEqual(os.listdir(self.folder), [])
+        self.assertIn("'nosuch'", self.refused(2, "params", "nosuch", "--markdown"))
+        *_, row = fyd.run("params", "control.kp", "--markdown").stdout.splitlines()
+        self.assertTrue(row.startswith("| `control.kp` |"), row)
 
     def test_a_wrong_profile_is_refused_with_line_and_range(self):
         path = self.write("wrong.toml", "[control]\nkp = -1.0\n")

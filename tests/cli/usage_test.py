@@ -17,8 +17,37 @@ class Usage(fyd.Case):
         self.assertRegex(said, "foo not in {.*duration.*}")
         self.assertNotRegex(said, "[0-9]")
 
-    def test_a_touchpads_name_is_looked_at_before_its_camera(self):
-        self.assertIn("touchpad 'foo': expected", self.refused(1, "station", "--touchpad", "foo", "--duration", 1))
+    def test_a_stations_words_are_judged_before_anything_is_looked_at(self):
+        real = ("--touchpad", "modbus-tcp:127.0.0.1:1")
+        camera, key = ("--camera", "/nowhere/camera"), ("--key", "/nowhere/lab.key")
+        played = ("--touchpad", "recording:/nowhere/a.h5")
+        scene = "scene:/nowhere/s.toml"
+        simulated = ("--simulate", "--robot")
+        for words, said in (
+                (("--touchpad", "foo"), "touchpad 'foo': expected"),  # and not that its camera is missing
+                (("--touchpad", "modbus-tcp:127.0.0.1:1,serial="), "expected a serial number of 1 to 16 characters"),
+                (("--simulate", "--motors", "foo"), "motors 'foo': expected qbmove:TTY"),
+                (real, "camera: none given"),
+                ((*real, *camera, "--finger", "/nowhere/f.csv"), "finger '/nowhere/f.csv': only the simulated touchpad"),
+                ((*played, "--finger", "/nowhere/f.csv"), "finger '/nowhere/f.csv': only the simulated touchpad"),
+                ((*played, "--motors", "qbmove:/dev/null"), "a recording drives no motors"),
+                ((*simulated, "foo"), "robot 'foo': expected"),
+                ((*simulated, "link:127.0.0.1:0"), "needs a key file"),
+                ((*simulated, "link:foo", *key), 'address "foo": no port'),
+                ((*simulated, "none", *key), "takes no key file"),
+                ((*simulated, "simulated:foo"), "foo"),
+                ((*simulated, "classic:foo"), 'address "foo": no port'),
+                ((*simulated, scene, "--scene", "other.toml"), "the robot is a scene already"),
+                (("--simulate", "--catalogue", "nonsense"), "catalogue 'nonsense': expected sqlite:PATH"),
+                (("--simulate", "--record", self.path("a.h5"), "--subject", "Anna Rossi"), "expected a code")):
+            with self.subTest(words=words):
+                self.assertIn(said, self.refused(2, "station", "--duration", 1, "--profile", "/nowhere/lab.toml", *words))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_profiles_word_is_no_wrong_usage(self):
+        for number, word in enumerate(('robot = "robby"', 'touchpad = "pad"', 'motors = "maxon"')):
+            profile = self.write(f"{number}.toml", f"[station]\n{word}\n")
+            self.assertIn(word.split('"')[1], self.refused(1, "station", "--duration", 1, "--profile", profile))
 
     def test_not_a_number_is_in_no_range(self):
         for command, option in ((("robot", "--connect", "127.0.0.1:1"), "--probe-force"),

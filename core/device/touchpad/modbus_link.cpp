@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::string_view kTcpPrefix = "modbus-tcp:";
 constexpr std::string_view kRtuPrefix = "modbus-rtu:";
-constexpr std::size_t kLongestSerial = 16;  // characters, of the register map
 constexpr Duration kLongestDrain = std::chrono::milliseconds(500);
 
 std::string hostOf(const protocol::Endpoint& endpoint) {

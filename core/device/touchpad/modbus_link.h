@@ -33,6 +33,7 @@ struct ModbusAddress {
 };
 
 inline constexpr std::string_view kSerialDemand = ",serial=";
+inline constexpr std::size_t kLongestSerial = 16;  ///< characters, of the register map
 
 /// Reads "modbus-tcp:HOST:PORT" and "modbus-rtu:TTY[:BAUD]", each with an optional ",serial=TEXT" that demands the
 /// touchpad with this serial number; TTY may be "id=SERIAL" of the adapter.

@@ -11,6 +11,12 @@
 
 namespace fyd::device {
 
+/// Whether the text names a motor board, as `openMotorBoard` reads it. Opens nothing.
+[[nodiscard]] Result<void> checkMotorsName(const std::string& motors);
+
+/// Whether the text names a touchpad, as `openTouchpad` reads it. Opens nothing.
+[[nodiscard]] Result<void> checkTouchpadSource(const std::string& source);
+
 /// Puts the original motor board in place of a touchpad's own motors.
 /// @param motors "qbmove:TTY"; empty: the touchpad's own
 [[nodiscard]] Result<std::unique_ptr<Touchpad>> withMotors(std::unique_ptr<Touchpad> touchpad,

@@ -38,6 +38,13 @@ bool isSubjectCode(std::string_view subject) {
   return subject.size() <= kLongestSubject && subject.find_first_not_of(kAllowed) == std::string_view::npos;
 }
 
+Result<void> checkSubject(const std::string& subject) {
+  if (isSubjectCode(subject)) return {};
+  return fail(
+      "subject \"{}\": expected a code of letters, digits, - and _ such as S07, at most {} characters; never a name",
+      subject, kLongestSubject);
+}
+
 struct Recorder::Impl {
   Impl(const RecorderOptions& chosen, const pipeline::Parameters& step, const pipeline::LocalModel& felt,
        StationDescription words, StationSource asked)
@@ -117,11 +124,7 @@ void Recorder::offerPicture(const cv::Mat& picture, const cv::Rect& region, cons
 
 Result<void> Recorder::begin(const RecordingRequest& request) {
   if (request.path.empty()) return fail("recording: no file name");
-  if (!isSubjectCode(request.subject)) {
-    return fail(
-        "subject \"{}\": expected a code of letters, digits, - and _ such as S07, at most {} characters; never a name",
-        request.subject, kLongestSubject);
-  }
+  if (auto code = checkSubject(request.subject); !code) return code;
   if (!impl_->thread.joinable()) return fail("{}: the recorder is not running", request.path);
   std::unique_lock lock(impl_->mutex);
   if (impl_->status.state == RecorderState::recording) {

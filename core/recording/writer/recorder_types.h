@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/message.h"
+#include "core/base/error.h"
 #include "core/pipeline/parameters.h"
 #include "core/recording/recording_types.h"
 
@@ -16,6 +16,8 @@ namespace fyd::recording {
 /// A subject's code, such as S07: letters, digits, - and _, so that no whole name goes into a file. Empty: none.
 inline constexpr std::size_t kLongestSubject = 32;
 [[nodiscard]] bool isSubjectCode(std::string_view subject);
+/// @return an error that says what was expected
+[[nodiscard]] Result<void> checkSubject(const std::string& subject);
 
 /// What the operator says of a recording when it starts.
 struct RecordingRequest {
