@@ -55,6 +55,20 @@ Where whereOf(const SessionFilter& filter) {
   return where;
 }
 
+const char* columnOf(SessionOrder order) {
+  switch (order) {
+    case SessionOrder::started: return "started_ms";
+    case SessionOrder::duration: return "duration_s";
+    case SessionOrder::operator_name: return "operator_name";
+    case SessionOrder::subject: return "subject";
+    case SessionOrder::bytes: return "bytes";
+    case SessionOrder::path: return "path";
+  }
+  return "started_ms";
+}
+
+}  // namespace
+
 Result<void> checkFilter(const SessionFilter& filter) {
   if (splitWords(filter.text).size() > kMostWords || filter.text.size() > 4096) {
     return fail("search text: {} bytes, at most {} words are looked for", filter.text.size(), kMostWords);
@@ -71,20 +85,6 @@ Result<void> checkFilter(const SessionFilter& filter) {
   }
   return {};
 }
-
-const char* columnOf(SessionOrder order) {
-  switch (order) {
-    case SessionOrder::started: return "started_ms";
-    case SessionOrder::duration: return "duration_s";
-    case SessionOrder::operator_name: return "operator_name";
-    case SessionOrder::subject: return "subject";
-    case SessionOrder::bytes: return "bytes";
-    case SessionOrder::path: return "path";
-  }
-  return "started_ms";
-}
-
-}  // namespace
 
 std::vector<CatalogueEntry> findEntries(soci::session& sql, const SessionFilter& filter) {
   const Where where = whereOf(filter);

@@ -16,6 +16,7 @@ namespace fyd::catalogue {
 [[nodiscard]] Result<void> checkEntry(const CatalogueEntry& entry);
 [[nodiscard]] Result<void> checkNotes(std::string_view notes);
 [[nodiscard]] Result<void> checkTags(const std::vector<std::string>& tags);
+[[nodiscard]] Result<void> checkFilter(const SessionFilter& filter);
 
 /// Lower case, so that texts that differ in case only become the same; for the letters of any language.
 [[nodiscard]] std::string foldCase(std::string_view utf8);

@@ -140,12 +140,35 @@ class Catalogue(fyd.Case):
         done = fyd.run("session", "add", text, *self.word)
         self.assertEqual(done.returncode, 1)
         self.assertIn("c.h5", done.stderr)
-        self.refused(1, "session", "list", "--catalogue", "mysql:x")
-        self.refused(1, "session", "list", *self.word, "--since", "yesterday")
         self.refused(2, "session", "list", self.data, *self.word)
 
+    def test_words_that_mean_nothing_are_refused_before_anything_is_opened(self):
+        for command in (["list"], ["list", "--rebuild"], ["add", self.a], ["store", self.a, self.folder],
+                        ["tag", self.a, "--add", "x"], ["notes", self.a, "x"], ["forget", self.a]):
+            with self.subTest(command=command):
+                said = self.refused(2, "session", *command, "--catalogue", "mysql:x")
+                self.assertIn("catalogue 'mysql:x': expected sqlite:PATH", said)
+        for words, said in ((["list", "--since", "yesterday"], "time 'yesterday': expected UTC"),
+                            (["list", "--until", "2026-02-30"], "time '2026-02-30': expected UTC"),
+                            (["list", "--text", "\x1b[2J"], "control character"),
+                            (["list", "--tag", "a\nb"], "control character"),
+                            (["tag", self.a, "--add", "a\nb"], "control character"),
+                            (["list", "--rebuild", "--check"], "--check"),
+                            (["list", "--rebuild", "--since", "2026-01-01"], "--since"),
+                            (["list", "--rebuild", "--limit", "1"], "--limit")):
+            with self.subTest(words=words):
+                self.assertIn(said, self.refused(2, "session", *words, *self.word))
+        self.assertFalse(os.path.exists(self.file))
+
+    def test_a_folder_that_cannot_be_read_again_is_named(self):
+        for json in ([], ["--json"]):
+            done = fyd.run("session", "list", self.path("nowhere"), "--rebuild", *self.word, *json)
+            self.assertEqual(done.returncode, 1, done.stdout)
+            self.assertIn("nowhere", done.stderr)
+            self.assertIn("nowhere", done.stdout)
+
     def test_a_password_is_refused_and_an_absent_server_named(self):
-        said = self.refused(1, "session", "list", "--catalogue", "postgresql:host=127.0.0.1 port=1 password=hunter2")
+        said = self.refused(2, "session", "list", "--catalogue", "postgresql:host=127.0.0.1 port=1 password=hunter2")
         self.assertNotIn("hunter2", said)
         self.assertIn(".pgpass", said)
         os.environ["PGPASSWORD"] = "hunter2"
@@ -156,7 +179,7 @@ class Catalogue(fyd.Case):
 
     def test_a_note_cannot_steer_the_terminal(self):
         self.json("session", "add", self.a, *self.word, "--json")
-        self.assertIn("control character", self.refused(1, "session", "notes", self.a, "\x1b[2J", *self.word))
+        self.assertIn("control character", self.refused(2, "session", "notes", self.a, "\x1b[2J", *self.word))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,8 @@
 
 #include "app/cli/parts/terminal_text.h"
 #include "core/catalogue/archive_move.h"
+#include "core/catalogue/catalogue_address.h"
+#include "core/catalogue/catalogue_text.h"
 
 namespace fyd::cli {
 namespace {
@@ -56,7 +58,7 @@ void runAdd(const SessionCatalogueOptions& options) {
   } else {
     printScan(report);
   }
-  if (!report.unreadable.empty()) throw Failure(report.unreadable.front());
+  failUnread(report);
 }
 
 void runStore(const SessionCatalogueOptions& options) {
@@ -69,6 +71,7 @@ void runStore(const SessionCatalogueOptions& options) {
 }
 
 void runTag(const SessionCatalogueOptions& options) {
+  valueOrUsage(catalogue::checkTags(options.add));
   catalogue::Catalogue catalogue = openCatalogue(options.catalogue);
   const auto entry = entryFor(catalogue, options.target);
   std::set<std::string> tags(entry.tags.begin(), entry.tags.end());
@@ -86,6 +89,7 @@ void runTag(const SessionCatalogueOptions& options) {
 }
 
 void runNotes(const SessionCatalogueOptions& options) {
+  valueOrUsage(catalogue::checkNotes(options.notes));
   catalogue::Catalogue catalogue = openCatalogue(options.catalogue);
   const auto entry = entryFor(catalogue, options.target);
   valueOrFail(catalogue.setNotes(entry.id, options.notes));
@@ -111,9 +115,15 @@ void runForget(const SessionCatalogueOptions& options) {
 }  // namespace
 
 void addCatalogueOption(CLI::App& command, std::string& word) {
-  command.add_option("--catalogue", word,
-                     "sqlite:PATH or postgresql:host=… dbname=… user=… (the password from ~/.pgpass); "
-                     "default: this user's own");
+  command
+      .add_option("--catalogue", word,
+                  "sqlite:PATH or postgresql:host=… dbname=… user=… (the password from ~/.pgpass); "
+                  "default: this user's own")
+      ->check(goodFor(catalogue::parseCatalogueAddress));
+}
+
+void failUnread(const catalogue::ScanReport& report) {
+  if (!report.unreadable.empty()) throw Failure(report.unreadable.front());
 }
 
 catalogue::Catalogue openCatalogue(const std::string& word) {

@@ -18,6 +18,8 @@ void addCatalogueOption(CLI::App& command, std::string& word);
 
 [[nodiscard]] nlohmann::ordered_json toJson(const catalogue::CatalogueEntry& entry);
 [[nodiscard]] nlohmann::ordered_json toJson(const catalogue::ScanReport& report);
+/// Failure with the first file or folder that could not be read.
+void failUnread(const catalogue::ScanReport& report);
 /// One line, and one for each copy and unreadable file.
 void printScan(const catalogue::ScanReport& report);
 /// An aligned table; control characters are shown as '?', so that a note cannot steer the terminal.

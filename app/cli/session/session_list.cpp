@@ -6,6 +6,7 @@
 #include "app/cli/session/session_catalogue.h"
 #include "app/cli/session/session_cli.h"
 #include "core/catalogue/catalogue_rebuild.h"
+#include "core/catalogue/catalogue_text.h"
 
 namespace fyd::cli {
 namespace {
@@ -39,14 +40,15 @@ void runRebuild(const SessionListOptions& options) {
                {"rescued", report.rescued},
                {"folders", report.folders},
                {"scan", toJson(report.scan)}});
-    return;
+  } else {
+    if (!report.moved_aside.empty()) {
+      std::cout << fmt::format("damaged catalogue moved to {}; {} entries taken over from it\n", report.moved_aside,
+                               report.rescued);
+    }
+    for (const std::string& folder : report.folders) std::cout << fmt::format("read again: {}\n", folder);
+    printScan(report.scan);
   }
-  if (!report.moved_aside.empty()) {
-    std::cout << fmt::format("damaged catalogue moved to {}; {} entries taken over from it\n", report.moved_aside,
-                             report.rescued);
-  }
-  for (const std::string& folder : report.folders) std::cout << fmt::format("read again: {}\n", folder);
-  printScan(report.scan);
+  failUnread(report.scan);
 }
 
 void runSessionList(const SessionListOptions& options) {
@@ -59,6 +61,7 @@ void runSessionList(const SessionListOptions& options) {
   }
   if (!options.folder.empty() && options.check)
     throw UsageError(say("session list: --check is for a catalogue, not for a FOLDER"));
+  valueOrUsage(catalogue::checkFilter(options.filter));
   catalogue::ScanReport scan;
   catalogue::Catalogue catalogue =
       options.folder.empty() ? openCatalogue(options.catalogue) : catalogueOfFolder(options.folder, scan);
@@ -103,6 +106,7 @@ void addSessionList(CLI::App& session) {
   command->add_option("folder", options->folder, "Read this folder instead of the catalogue; writes nothing");
   addCatalogueOption(*command, options->catalogue);
   SessionFilter& filter = options->filter;
+  const std::size_t other = command->get_options().size();
   command->add_option("--text", filter.text, "Every word, in operator, subject, notes or a tag; case does not matter");
   command->add_option("--tag", filter.tags, "With this tag; repeatable: all of them")->take_all();
   command->add_option("--since", filter.since, "Started at this UTC time or later: 2026-11-21, 2026-11-21T14:05");
@@ -125,8 +129,11 @@ void addSessionList(CLI::App& session) {
   command->add_option("--limit", filter.limit, "At most so many");
   command->add_option("--offset", filter.offset, "Leave out so many first");
   command->add_flag("--check", options->check, "First look where this station's files are now");
-  command->add_flag("--rebuild", options->rebuild,
-                    "Read all known folders, and FOLDER, again; a damaged catalogue is moved aside first");
+  const std::vector<CLI::Option*> so_far = command->get_options();
+  CLI::Option* rebuild =
+      command->add_flag("--rebuild", options->rebuild,
+                        "Read all known folders, and FOLDER, again; a damaged catalogue is moved aside first");
+  for (std::size_t i = other; i < so_far.size(); ++i) rebuild->excludes(so_far[i]);  // it searches nothing
   command->add_flag("--json", options->json, "Result as JSON");
   command->callback([options] { runSessionList(*options); });
   addSessionCatalogue(session);
