@@ -62,12 +62,15 @@ void CalibrateOptions::addTo(CLI::App& command, const std::string& columns) {
   command.add_option("samples", samples, fmt::format("CSV with the columns {}", columns))->required();
   command.add_option("--profile", profile,
                      "Profile to write an accepted result into; made from the defaults if it is new");
-  command.add_option("--touchpad", touchpad,
-                     "Touchpad that was measured: serial:NUMBER, its address, or simulated; default: the one that the "
-                     "profile belongs to");
+  command
+      .add_option("--touchpad", touchpad,
+                  "Touchpad that was measured: serial:NUMBER, its address, or simulated; default: the one that the "
+                  "profile belongs to")
+      ->check(goodFor(station::checkTouchpadName));
   command.add_option("--who", who, "Who measured, for the record");
   command.add_option("--conditions", conditions, "Light, temperature, target: for the record");
-  command.add_option("--report", report, "Before and after as a new .pdf or .html file, of a refused fit too");
+  command.add_option("--report", report, "Before and after as a new .pdf or .html file, of a refused fit too")
+      ->check(goodFor(report::checkReportName));
   command.add_flag("--json", json, "As JSON; null stands for what is not known");
 }
 

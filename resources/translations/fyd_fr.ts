@@ -8634,6 +8634,10 @@ Pour commencer : %1</translation>
         <translation>touchpad %1</translation>
     </message>
     <message>
+        <source>touchpad '{}': expected simulated, serial:NUMBER of 1 to {} characters, or its address</source>
+        <translation>touchpad '{}' : attendu simulated, serial:NUMÉRO de 1 à {} caractères, ou son adresse</translation>
+    </message>
+    <message>
         <source>touchpad at {}</source>
         <translation>touchpad sur {}</translation>
     </message>

@@ -8634,6 +8634,10 @@ Per cominciare: %1</translation>
         <translation>touchpad %1</translation>
     </message>
     <message>
+        <source>touchpad '{}': expected simulated, serial:NUMBER of 1 to {} characters, or its address</source>
+        <translation>touchpad '{}': atteso simulated, serial:NUMERO da 1 a {} caratteri, o il suo indirizzo</translation>
+    </message>
+    <message>
         <source>touchpad at {}</source>
         <translation>touchpad su {}</translation>
     </message>

@@ -247,13 +247,14 @@ class Calibrate(fyd.Case):
         with open(pdf, "rb") as report:
             self.assertTrue(report.read().startswith(b"%PDF"))
         self.assertIn("exists already", self.refused(1, "calibrate", "load-cell", file, "--report", pdf))
-        self.assertIn(".html or .pdf", self.refused(1, "calibrate", "load-cell", file, "--report", self.path("r.doc")))
+        # Judged by the name alone, not after the fit.
+        self.assertIn(".html or .pdf", self.refused(2, "calibrate", "load-cell", "nowhere.csv", "--report", self.path("r.doc")))
         with open(profile, encoding="utf-8") as before:
             kept = before.read()
         other = self.csv("other.csv", "value,force_N", [(2 * value, force) for value, force in self.load_rows()])
         records = sorted(os.listdir(os.path.dirname(profile)))
-        for name in ["r.doc", "nowhere/r.html"]:  # a report that cannot be written leaves the profile as it was
-            self.refused(1, "calibrate", "load-cell", other, "--profile", profile, "--report", self.path(name))
+        for name, code in [("r.doc", 2), ("nowhere/r.html", 1)]:  # a report that cannot be leaves the profile as it was
+            self.refused(code, "calibrate", "load-cell", other, "--profile", profile, "--report", self.path(name))
             with open(profile, encoding="utf-8") as after:
                 self.assertEqual(after.read(), kept, name)
         self.assertEqual(sorted(os.listdir(os.path.dirname(profile))), records)
@@ -270,6 +271,15 @@ class Calibrate(fyd.Case):
         for arguments in [[], ["nothing"], ["ir"], ["ir", file, "--sensor", "9"], ["ir", file, "--sensor", "0"],
                           ["camera", file, "--no-such"]]:
             self.assertEqual(fyd.run("calibrate", *arguments).returncode, 2, arguments)
+        profile, cell = self.path("lab.toml"), self.csv("cell.csv", "value,force_N", self.load_rows())
+        measured = ("calibrate", "load-cell", cell, "--profile", profile, "--touchpad")
+        for name in ["simulatd", "recording", "serial:", "serial:" + 17 * "A", "modbus-tcp:127.0.0.1", "simulated with maxon",
+                     "simulated with qbmove:", "modbus-tcp:127.0.0.1:502,serial=A7"]:
+            self.assertIn("expected", self.refused(2, *measured, name), name)
+            self.assertFalse(os.path.exists(profile), name)
+        for name in ["simulated", "serial:" + 16 * "A", "modbus-rtu:/dev/ttyUSB0", "serial:A7 with qbmove:id=B2",
+                     "modbus-tcp:127.0.0.1:502 with qbmove:/dev/ttyUSB1"]:
+            self.assertTrue(self.json(*measured, name, "--json")["accepted"], name)
 
     def test_the_text_says_the_verdict_last(self):
         done = fyd.run("calibrate", "ir", self.ir_file())

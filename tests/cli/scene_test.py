@@ -175,6 +175,7 @@ class Scene(fyd.Case):
         self.assertIn("p.csv:2: expected three finite numbers",
                       self.refused(1, "scene", "run", scene, "--path", self.write("p.csv", "t_s,x_mm,y_mm,z_mm\n0,nan,0,0\n")))
         self.assertIn("--unit", self.refused(2, "scene", "check", cube, "--unit", "mile"))
+        self.assertIn("expected .obj, .stl or .ply", self.refused(2, "scene", "check", "nowhere.xyz"))
 
     def make_folder(self, name):
         path = self.path(name)
@@ -245,7 +246,7 @@ class InASession(fyd.Case):
         scene = self.write("s.toml", '[[body]]\nmesh = "cube.obj"\n')
         self.write("cube.obj", CUBE)
         self.assertIn("the robot is a scene already",
-                      self.refused(1, "station", "--simulate", "--robot", "scene:" + scene, "--scene", scene, "--duration", 1))
+                      self.refused(2, "station", "--simulate", "--robot", "scene:" + scene, "--scene", scene, "--duration", 1))
 
 
 class Fencing(fyd.Case):

@@ -5,6 +5,7 @@
 
 #include "app/cli/parts/command.h"
 #include "app/cli/scene/scene_cli.h"
+#include "core/scene/mesh/mesh_text.h"
 #include "core/scene/mesh/nearest_point.h"
 #include "core/sim/scene_file.h"
 
@@ -90,7 +91,9 @@ void add_scene(CLI::App& app) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* check_command =
       command->add_subcommand("check", "What a mesh holds, and what had to be mended to touch it");
-  check_command->add_option("mesh", options->mesh, "OBJ, STL or PLY file")->required();
+  check_command->add_option("mesh", options->mesh, "OBJ, STL or PLY file")
+      ->required()
+      ->check(goodFor(scene::meshFormatOf));
   check_command->add_option("--unit", options->unit, "Of its coordinates")
       ->check(CLI::IsMember(std::vector<std::string>(scene::kLengthUnits.begin(), scene::kLengthUnits.end())))
       ->capture_default_str();

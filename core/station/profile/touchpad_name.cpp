@@ -1,5 +1,8 @@
 #include "core/station/profile/touchpad_name.h"
 
+#include "core/device/touchpad/modbus_link.h"
+#include "core/device/touchpad/touchpad_source.h"
+
 namespace fyd::station {
 namespace {
 
@@ -13,6 +16,22 @@ std::string touchpadName(std::string_view touchpad, std::string_view motors) {
   std::string out(touchpad);
   if (!out.empty() && !motors.empty()) out.append(kWith).append(motors);
   return out;
+}
+
+Result<void> checkTouchpadName(const std::string& name) {
+  const std::string touchpad(withoutMotors(name));
+  if (touchpad.size() < name.size()) {
+    if (auto motors = device::checkMotorsName(name.substr(touchpad.size() + kWith.size())); !motors) return motors;
+  }
+  if (touchpad == kSimulatedTouchpad) return {};
+  if (touchpad.starts_with(kSerialTouchpad)) {
+    const std::size_t length = serialIn(touchpad).size();
+    if (length >= 1 && length <= device::kLongestSerial) return {};
+  } else if (touchpad.find(device::kSerialDemand) == std::string::npos && device::checkTouchpadSource(touchpad)) {
+    return {};
+  }
+  return fail("touchpad '{}': expected simulated, serial:NUMBER of 1 to {} characters, or its address", name,
+              device::kLongestSerial);
 }
 
 bool isSimulated(std::string_view name) { return withoutMotors(name) == kSimulatedTouchpad; }

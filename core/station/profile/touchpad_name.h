@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/message.h"
+#include "core/base/error.h"
 
 namespace fyd::station {
 
@@ -22,6 +22,9 @@ inline constexpr std::string_view kSerialTouchpad = "serial:";
 
 /// @param motors as in StationOptions; empty: the touchpad's own
 [[nodiscard]] std::string touchpadName(std::string_view touchpad, std::string_view motors);
+
+/// Whether it is a name that a touchpad, other than one played back, can have.
+[[nodiscard]] Result<void> checkTouchpadName(const std::string& name);
 
 /// Whether its readings come from the simulator of this process.
 [[nodiscard]] bool isSimulated(std::string_view name);
