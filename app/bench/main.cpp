@@ -66,10 +66,13 @@ void addTo(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(std::vector<std::string>(sim::kClothNames.begin(), sim::kClothNames.end())));
   BenchOptions& more = benchOptions();
   app.add_option("--runs", more.runs, "How many runs coupling draws")
-      ->check(CLI::Range(1, 100'000))
+      ->transform(cli::wholeNumberFrom(1, 100'000))
       ->capture_default_str();
-  app.add_option("--seed", more.seed, "What coupling and touchpad_coupling draw by")->capture_default_str();
-  app.add_option("--data", more.data, "Folder of recordings for predict; tests/data when left out");
+  app.add_option("--seed", more.seed, "What coupling and touchpad_coupling draw by")
+      ->transform(cli::wholeNumberFrom(0))
+      ->capture_default_str();
+  app.add_option("--data", more.data,
+                 "Folder of recordings for predict, reach, deadband and table2; tests/data when left out");
   auto* mesh = app.add_option("--mesh", more.mesh, "OBJ, STL or PLY file in mm, for scene");
   auto* path = app.add_option("--path", more.path, "CSV with t_s, x_mm, y_mm and z_mm over that mesh, for scene");
   mesh->needs(path);

@@ -173,7 +173,7 @@ std::shared_ptr<Options> addPart(CLI::App& parent, const std::string& name, cons
   CLI::App* command = parent.add_subcommand(name, help);
   options->addTo(*command, columns);
   if constexpr (std::is_same_v<Options, IrCommand>) {
-    command->add_option("--sensor", options->sensor, "Which distance sensor, from 1")->check(CLI::Range(1, 8));
+    command->add_option("--sensor", options->sensor, "Which distance sensor, from 1")->transform(wholeNumberFrom(1, 8));
     command->add_flag("--without-outliers", options->without_outliers, "Fit without the points the others contradict");
   }
   command->callback([options, run] { run(*options); });

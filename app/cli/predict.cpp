@@ -113,7 +113,9 @@ void add_predict(CLI::App& app) {
   command->add_option("--delay", options->network.delay_ms, "One way, ms")->capture_default_str();
   command->add_option("--jitter", options->network.jitter_ms, "More delay, uniform from 0 to this, ms; may overtake");
   command->add_option("--loss", options->network.loss_percent, "Share of the messages lost, %");
-  command->add_option("--seed", options->network.seed, "Seed of jitter and loss")->capture_default_str();
+  command->add_option("--seed", options->network.seed, "Seed of jitter and loss")
+      ->transform(wholeNumberFrom(0))
+      ->capture_default_str();
   command->add_option("--smooth", options->smooth_ms, "Time constant with which a correction decays, ms; 0: none");
   command->add_option("--columns", options->columns, "One to three columns, such as x_mm,y_mm")->delimiter(',');
   command->add_option("--weights", options->weights,

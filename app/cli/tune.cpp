@@ -16,11 +16,12 @@ namespace {
 /// A session's telemetry (fyd station --telemetry) in which the stretch was moved while a finger held still.
 std::vector<control::TuneSample> readRecording(const std::string& path) {
   std::vector<std::string> columns{"t_s", "stretch_measured_deg", "stiffness_N_per_mm", "stiffness_observable"};
-  CsvTable table = valueOrFail(readCsv(path, columns));
+  const std::string text = readCsvText(path);  // once: a pipe cannot be read again
+  CsvTable table = valueOrFail(parseCsv(text, path, columns));
   const bool placed = std::ranges::find(table.header, "stiffness_place_factor") != table.header.end();
   if (placed) {
     columns.emplace_back("stiffness_place_factor");
-    table = valueOrFail(readCsv(path, columns));
+    table = valueOrFail(parseCsv(text, path, columns));
   }
   std::vector<control::TuneSample> recording;
   recording.reserve(table.rows());
@@ -108,9 +109,10 @@ void add_tune(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("tune", "Identify the cloth from a safe excitation and propose PID gains; changes nothing");
-  options->trial.addTo(*command);
-  command->add_option("--recording", options->recording,
-                      "Telemetry of a session to identify from (CSV); the simulation when left out");
+  const auto of_the_simulation = options->trial.addTo(*command);
+  auto* from_file = command->add_option("--recording", options->recording,
+                                        "Telemetry of a session to identify from (CSV); the simulation when left out");
+  for (CLI::Option* option : of_the_simulation) from_file->excludes(option);
   command->add_flag("--json", options->json, "As JSON");
   command->callback([options] {
     const sim::StiffnessTrial trial = options->trial.load();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -36,6 +37,8 @@ class FingerPath {
   /// @return an error with file and line for any other NaN, values beyond 10⁶ mm, time that does not increase, and
   ///         all that readCsv refuses
   [[nodiscard]] static Result<FingerPath> fromCsv(const std::string& path);
+  /// The same of such a file's text. @param source_name the file's, for messages
+  [[nodiscard]] static Result<FingerPath> fromCsvText(std::string_view text, const std::string& source_name);
 
   /// Linear between knots. After the last one as fromCsv.
   /// @param knots times rising from 0; one and more

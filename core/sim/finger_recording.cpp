@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/csv.h"
+#include "core/base/whole_file.h"
 #include "core/sim/finger_path.h"
 
 namespace fyd::sim {
@@ -109,10 +110,16 @@ Fit fitOf(const CsvTable& table) {
 }  // namespace
 
 Result<FingerPath> FingerPath::fromCsv(const std::string& path) {
-  const auto table = readCsv(path, {"t_s", "x_mm", "y_mm", "z_mm"});
+  const auto text = readWholeFile(path, kLargestCsv_bytes, FileKind::pipe_too);
+  if (!text) return tl::unexpected(text.error());
+  return fromCsvText(*text, path);
+}
+
+Result<FingerPath> FingerPath::fromCsvText(std::string_view text, const std::string& source_name) {
+  const auto table = parseCsv(text, source_name, {"t_s", "x_mm", "y_mm", "z_mm"});
   if (!table) return tl::unexpected(table.error());
   for (std::size_t row = 0; row < table->rows(); ++row) {
-    if (const auto checked = checkRow(*table, row, path); !checked) return tl::unexpected(checked.error());
+    if (const auto checked = checkRow(*table, row, source_name); !checked) return tl::unexpected(checked.error());
   }
   const Fit fit = fitOf(*table);
   std::vector<FingerPath::Knot> knots;

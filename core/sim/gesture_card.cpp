@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include <toml++/toml.h>
@@ -18,7 +17,6 @@ constexpr std::string_view kFormat = "FYD gesture 1";
 constexpr std::string_view kBegins = "format = \"FYD gesture";
 constexpr std::string_view kRule = "\n---\n";
 constexpr std::size_t kLongestText = 200;
-constexpr double kSlowest = 0.05, kFastest = 20.0;
 constexpr double kLongest_s = 600.0;
 constexpr std::array<std::string_view, 5> kKeys = {"format", "name", "source", "speed", "loop"};
 
@@ -50,15 +48,15 @@ Result<void> checkRow(const FingerPath::Knot& row, double before_s, bool first, 
 }
 
 Result<void> checkHeader(const GestureCard& card, const std::string& place) {
-  if (card.name.empty() || card.name.size() > kLongestText || !printable(card.name)) {
+  if (!isGestureName(card.name)) {
     return fail("{}: name of {} bytes: expected 1 to {} that can be printed", place, card.name.size(), kLongestText);
   }
   if (card.source.size() > kLongestText || !printable(card.source)) {
     return fail("{}: source of {} bytes: expected at most {} that can be printed", place, card.source.size(),
                 kLongestText);
   }
-  if (!(card.speed >= kSlowest && card.speed <= kFastest)) {
-    return fail("{}: speed = {}: expected {} to {}", place, card.speed, kSlowest, kFastest);
+  if (!(card.speed >= kSlowestGesture && card.speed <= kFastestGesture)) {
+    return fail("{}: speed = {}: expected {} to {}", place, card.speed, kSlowestGesture, kFastestGesture);
   }
   return {};
 }
@@ -107,6 +105,8 @@ Result<GestureCard> parseHeader(std::string_view text, const std::string& name) 
 }  // namespace
 
 FingerPath GestureCard::path() const { return FingerPath::fromKnots(rows).played(speed, loop); }
+
+bool isGestureName(std::string_view name) { return !name.empty() && name.size() <= kLongestText && printable(name); }
 
 bool isGestureCard(std::string_view text) { return text.starts_with(kBegins); }
 
@@ -185,11 +185,10 @@ Result<GestureCard> readGestureFile(const std::string& path) {
 }
 
 Result<FingerPath> readFingerFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string begins(kBegins.size(), '\0');
-  file.read(begins.data(), static_cast<std::streamsize>(begins.size()));
-  if (!file || !isGestureCard(begins)) return FingerPath::fromCsv(path);
-  auto card = readGestureFile(path);
+  const auto text = readWholeFile(path, kLargestCsv_bytes, FileKind::pipe_too);
+  if (!text) return tl::unexpected(text.error());
+  if (!isGestureCard(*text)) return FingerPath::fromCsvText(*text, path);
+  auto card = parseGesture(*text, path);
   if (!card) return tl::unexpected(card.error());
   return card->path();
 }

@@ -22,6 +22,8 @@
 
 namespace fyd::sim {
 
+inline constexpr double kSlowestGesture = 0.05, kFastestGesture = 20.0;  ///< factors on the speed of playing
+
 struct GestureCard {
   std::string name;
   std::string source;
@@ -33,6 +35,8 @@ struct GestureCard {
   [[nodiscard]] FingerPath path() const;
 };
 
+/// Whether a card may be called so.
+[[nodiscard]] bool isGestureName(std::string_view name);
 /// Whether the text begins as a card does.
 [[nodiscard]] bool isGestureCard(std::string_view text);
 /// @return an error with file and line, the value and what was expected
@@ -45,7 +49,8 @@ struct GestureCard {
 inline constexpr std::size_t kLargestCard_bytes = std::size_t{32} << 20;
 /// @return an error as parseGesture gives it, for a file that cannot be read, and for a larger one
 [[nodiscard]] Result<GestureCard> readGestureFile(const std::string& path);
-/// The simulated finger's path from a file: a card, or a recording as FingerPath::fromCsv takes it.
+/// The simulated finger's path from a file or a pipe, which is opened once: a card, or a recording as
+/// FingerPath::fromCsv takes it.
 [[nodiscard]] Result<FingerPath> readFingerFile(const std::string& path);
 
 }  // namespace fyd::sim

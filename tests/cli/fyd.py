@@ -207,3 +207,10 @@ class Case(unittest.TestCase):
             self.assertEqual(done.stdout, "")
         self.assertNotEqual(done.stderr, "")
         return done.stderr
+
+    def of_a_pipe(self, text, *arguments):
+        """Runs it with /dev/stdin, a pipe that holds this text, as one of its words, and JSON as its answer."""
+        done = subprocess.run([PROGRAM, *map(str, arguments)], input=text, capture_output=True, text=True,
+                              timeout=PATIENCE, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)

@@ -126,6 +126,29 @@ class Predict(fyd.Case):
         self.assertEqual(one["ticks"], len(rows_of(self.path("y.csv"))))
         self.assertFalse(any(math.isnan(x) for row in rows_of(self.path("y.csv")) for x in row.values()))
 
+    def test_a_pipe_is_read_once(self):
+        options = ("--period", 10, "--delay", 20, "--json")
+        with open(TELEOP, encoding="ascii") as file:
+            piped = self.of_a_pipe(file.read(), "predict", "/dev/stdin", *options)
+        of_a_file = self.json("predict", TELEOP, *options)
+        self.assertEqual((piped["columns"], piped["ticks"], piped["rms_error_mm"]),
+                         (of_a_file["columns"], of_a_file["ticks"], of_a_file["rms_error_mm"]))
+
+    def test_a_seed_is_a_decimal_number(self):
+        options = ("--period", 10, "--delay", 20, "--jitter", 40, "--loss", 20)
+
+        def error(seed):
+            return self.predict(TELEOP, *options, "--seed", seed)["rms_error_mm"]
+        self.assertEqual(error("010"), error(10))
+        self.assertNotEqual(error("010"), error(8))
+        for command in (("predict", TELEOP), ("teleop", "run", "--trace", TELEOP), ("teleop", "table"),
+                        ("texture", "play", "wood", "--speed", 1, "--force", 1, "-o", "x"),
+                        ("session", "trials", "--conditions", "a,b"), ("sim", "touchpad"),
+                        ("stiffness", "--target", 0.6), ("robot", "--connect", "127.0.0.1:9")):
+            for seed in ("-1", "99999999999999999999", "0x10", "1e3"):
+                with self.subTest(command=command, seed=seed):
+                    self.assertIn(f"--seed: {seed}: expected a whole number", self.refused(2, *command, f"--seed={seed}"))
+
     def test_a_seed_gives_the_same_again_and_another_one_another(self):
         options = ("--period", 10, "--delay", 20, "--jitter", 40, "--loss", 20)
         def error(seed):

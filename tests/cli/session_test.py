@@ -229,6 +229,9 @@ class Trials(fyd.Case):
     def test_bad_lists_are_wrong_usage(self):
         self.assertIn("'a'", self.refused(2, "session", "trials", "--conditions", "a,a"))
         self.refused(2, "session", "trials", "--conditions", "a,b", "--repetitions", 0)
+        self.assertIn("--repetitions: -1", self.refused(2, "session", "trials", "--conditions", "a,b", "--repetitions=-1"))
+        for option in ("--limit", "--offset"):
+            self.assertIn(f"{option}: -1: expected a whole", self.refused(2, "session", "list", self.folder, f"{option}=-1"))
         self.refused(2, "session", "trials")
 
 

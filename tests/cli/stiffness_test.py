@@ -59,8 +59,13 @@ class Stiffness(fyd.Case):
         self.assertIn("--target", self.refused(2, "stiffness"))
         for option, value in (("--target", "nan"), ("--target", "0"), ("--target", "inf")):
             self.assertIn(f"{option} {value}", self.refused(2, "stiffness", option, value))
-        for option, value in (("--noise", "-1"), ("--delay", "501"), ("--plant-scale", "9"), ("--seed", "-1")):
+        for option, value in (("--noise", "-1"), ("--delay", "501"), ("--plant-scale", "9")):
             self.assertIn(f"{option} {value}", self.refused(2, "stiffness", "--target", "0.6", f"{option}={value}"))
+            self.assertIn(f"{option} {value}", self.refused(2, "stiffness", "--target", "0.6", f"{option}={value}",
+                                                            "--profile", "nowhere.toml"))
+        self.assertIn("--seed: -1", self.refused(2, "stiffness", "--target", "0.6", "--seed=-1"))
+        for command in (("stiffness", "--target", "0.6"), ("tune",), ("station", "--simulate", "--duration", 0.1)):
+            self.assertIn("control.law_angle_deg", self.refused(2, *command, "--set", "control.law_angle_deg=[1,0]"))
         self.refused(2, "stiffness", "--target", "0.6", "--controller", "fuzzy")
         profile = self.write("p.toml", "[control]\nkp = -1\n")
         self.assertIn("p.toml:2", self.refused(1, "stiffness", "--target", "0.6", "--profile", profile))
@@ -94,6 +99,9 @@ class Tune(fyd.Case):
         still = self.write("still.csv", "t_s,stretch_measured_deg,stiffness_N_per_mm,stiffness_observable\n" + rows)
         self.assertIn("moves the law by 0.0 %", self.refused(1, "tune", "--recording", still))
         self.assertIn("nothing.csv", self.refused(1, "tune", "--recording", self.path("nothing.csv")))
+        for option in ("--plant-scale", "--noise", "--delay", "--friction", "--hysteresis", "--seed"):
+            self.assertIn(option, self.refused(2, "tune", "--recording", still, option, 1))
+        self.assertIn("--cloth", self.refused(2, "tune", "--recording", still, "--cloth", "membrane"))
         wrong = self.write("wrong.csv", "t_s,stretch_measured_deg\n1,2\n")
         self.assertIn("stiffness_N_per_mm", self.refused(1, "tune", "--recording", wrong))
 

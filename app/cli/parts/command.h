@@ -2,7 +2,9 @@
 // options and a callback; the callback writes results to standard output and throws Failure when it failed.
 #pragma once
 
+#include <cstdint>
 #include <exception>
+#include <limits>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -53,6 +55,10 @@ template <class Judge>
 
 /// Check of an option: a number from `least` to `most`. CLI::Range takes NaN for one in any range.
 [[nodiscard]] CLI::Validator numberFrom(double least, double most);
+/// For `transform` of an option: a whole number from `least` to `most`, in decimal digits whatever they begin with.
+/// CLI11 by itself reads 010 as 8, and takes −1 for the largest unsigned number.
+[[nodiscard]] CLI::Validator wholeNumberFrom(std::int64_t least,
+                                             std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
 /// Doubles that are not finite become null, as JSON has no NaN.
 [[nodiscard]] nlohmann::ordered_json jsonNumber(double value);
@@ -72,6 +78,8 @@ void printErrorJson(const Message& message);
 
 /// Whole file as bytes; Failure when it cannot be read.
 [[nodiscard]] std::string readTextFile(const std::string& path);
+/// The same of a table, which may be larger (kLargestCsv_bytes).
+[[nodiscard]] std::string readCsvText(const std::string& path);
 
 }  // namespace fyd::cli
 

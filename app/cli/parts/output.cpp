@@ -7,6 +7,7 @@
 
 #include "app/cli/parts/command.h"
 #include "app/cli/parts/terminal_text.h"
+#include "core/base/csv.h"
 #include "core/base/whole_file.h"
 
 namespace fyd::cli {
@@ -87,6 +88,10 @@ bool flushOutput() {
 
 std::string readTextFile(const std::string& path) {
   return valueOrFail(readWholeFile(path, kLargestWholeFile_bytes, FileKind::pipe_too));
+}
+
+std::string readCsvText(const std::string& path) {
+  return valueOrFail(readWholeFile(path, kLargestCsv_bytes, FileKind::pipe_too));
 }
 
 }  // namespace fyd::cli

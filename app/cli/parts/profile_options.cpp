@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/cli/parts/command.h"
+#include "core/control/control_parameters.h"
 #include "core/station/profile/calibrated_values.h"
 #include "core/station/profile/calibration_file.h"
 
@@ -36,6 +37,7 @@ station::Profile ProfileOptions::loadFor(const std::string& touchpad) const {
 
 void ProfileOptions::assign(station::Profile& profile) const {
   const auto parameters = bindParameters(profile);
+  const bool fitted = control::checkControlParameters(profile.step.control).has_value();
   for (const std::string& setting : settings) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos) throw UsageError(say("--set {}: expected id=value", setting));
@@ -44,6 +46,10 @@ void ProfileOptions::assign(station::Profile& profile) const {
     if (auto assigned = assignParameter(*parameter, setting.substr(equals + 1)); !assigned) {
       throw UsageError(say("--set {}", assigned.error().message));
     }
+  }
+  // Those of the file alone are no wrong usage; who uses them says so.
+  if (auto checked = control::checkControlParameters(profile.step.control); fitted && !checked) {
+    throw UsageError(about("--set", checked.error().message));
   }
 }
 

@@ -16,8 +16,9 @@ NamedTrace readTrace(const std::string& path, std::vector<std::string> columns, 
   if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
     throw UsageError(say("--columns: {} is named twice", *twice));
   }
+  const std::string text = readCsvText(path);  // once: a pipe cannot be read again
   if (columns.empty()) {
-    const CsvTable head = valueOrFail(readCsv(path, {"t_s"}));
+    const CsvTable head = valueOrFail(parseCsv(text, path, {"t_s"}));
     for (const std::string& each : head.header) {
       if (each.ends_with("_mm")) columns.push_back(each);
     }
@@ -28,7 +29,7 @@ NamedTrace readTrace(const std::string& path, std::vector<std::string> columns, 
   }
   std::vector<std::string> wanted = {"t_s"};
   wanted.insert(wanted.end(), columns.begin(), columns.end());
-  const CsvTable table = valueOrFail(readCsv(path, wanted));
+  const CsvTable table = valueOrFail(parseCsv(text, path, wanted));
   NamedTrace out{.columns = std::move(columns), .trace = {}};
   out.trace.axes = out.columns.size();
   out.trace.time_s = table.values[0];

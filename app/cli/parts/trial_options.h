@@ -18,7 +18,8 @@ struct TrialOptions {
   std::optional<double> hysteresis;
   std::optional<int> seed;
 
-  void addTo(CLI::App& command);
+  /// @return those of the simulation, without the profile's
+  std::vector<CLI::Option*> addTo(CLI::App& command);
   /// Throws Failure (profile) or UsageError (a value that is not a number or out of range).
   [[nodiscard]] sim::StiffnessTrial load() const;
 };

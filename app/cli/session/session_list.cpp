@@ -126,8 +126,8 @@ void addSessionList(CLI::App& session) {
       ->transform(CLI::Transformer(orders).description(""))
       ->transform(CLI::IsMember(orders).description(""));  // first: the other would name the values of the enum
   command->add_flag("--ascending", options->ascending, "Smallest first; without it the newest or largest");
-  command->add_option("--limit", filter.limit, "At most so many");
-  command->add_option("--offset", filter.offset, "Leave out so many first");
+  command->add_option("--limit", filter.limit, "At most so many; 0: all")->transform(wholeNumberFrom(0));
+  command->add_option("--offset", filter.offset, "Leave out so many first")->transform(wholeNumberFrom(0));
   command->add_flag("--check", options->check, "First look where this station's files are now");
   const std::vector<CLI::Option*> so_far = command->get_options();
   CLI::Option* rebuild =

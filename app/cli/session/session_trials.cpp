@@ -18,8 +18,9 @@ void addSessionTrials(CLI::App& parent) {
   CLI::App* command =
       parent.add_subcommand("trials", "Trials in a random, balanced order; the same seed, the same order");
   command->add_option("--conditions", options->conditions, "Names, separated by commas")->required()->delimiter(',');
-  command->add_option("--repetitions", options->repetitions, "How often each condition comes");
-  command->add_option("--seed", options->seed, "Gives the same order again");
+  command->add_option("--repetitions", options->repetitions, "How often each condition comes")
+      ->transform(wholeNumberFrom(1, experiment::kMaximumRepetitions));
+  command->add_option("--seed", options->seed, "Gives the same order again")->transform(wholeNumberFrom(0));
   command->add_flag("--latin-square", options->latin_square,
                     "Rows of a Williams design instead of shuffled blocks: balanced for what came just before");
   command->add_flag("--json", options->json, "As JSON");

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/csv.h"
+#include "core/base/whole_file.h"
 
 namespace fyd::sim {
 namespace {
@@ -51,19 +52,26 @@ Result<NetworkProfile> networkProfile(std::string_view name) {
 }
 
 Result<DelayTrace> readDelayTrace(const std::string& path) {
-  auto table = readCsv(path, {"delay_ms"});
+  const auto text = readWholeFile(path, kLargestCsv_bytes, FileKind::pipe_too);
+  if (!text) return tl::unexpected(text.error());
+  return parseDelayTrace(*text, path);
+}
+
+Result<DelayTrace> parseDelayTrace(std::string_view text, const std::string& source_name) {
+  auto table = parseCsv(text, source_name, {"delay_ms"});
   if (!table) return tl::unexpected(table.error());
   const bool timed = std::ranges::find(table->header, "t_s") != table->header.end();
-  if (timed) table = readCsv(path, {"delay_ms", "t_s"});
+  if (timed) table = parseCsv(text, source_name, {"delay_ms", "t_s"});
   if (!table) return tl::unexpected(table.error());
   DelayTrace trace{.t_s = timed ? table->values[1] : std::vector<double>{}, .delay_ms = table->values[0]};
   for (std::size_t i = 0; i < table->rows(); ++i) {
     if (trace.delay_ms[i] < 0.0 || trace.delay_ms[i] > 60'000.0) {
-      return fail("{}:{}: delay {} ms: expected 0 to 60000, or nan for a loss", path, table->lines[i],
+      return fail("{}:{}: delay {} ms: expected 0 to 60000, or nan for a loss", source_name, table->lines[i],
                   trace.delay_ms[i]);
     }
     if (timed && !(i == 0 ? trace.t_s[i] == 0.0 : trace.t_s[i] > trace.t_s[i - 1] && std::isfinite(trace.t_s[i]))) {
-      return fail("{}:{}: time {} s: expected times that start at 0 and rise", path, table->lines[i], trace.t_s[i]);
+      return fail("{}:{}: time {} s: expected times that start at 0 and rise", source_name, table->lines[i],
+                  trace.t_s[i]);
     }
   }
   return trace;

@@ -63,6 +63,8 @@ inline constexpr std::array<std::string_view, 3> kNetworkProfiles = {"isdn", "ad
 /// Reads columns `t_s, delay_ms`, or `delay_ms` alone, of a CSV file.
 /// @return an error with file and line: no rows, a delay below 0, times that do not rise from 0
 [[nodiscard]] Result<DelayTrace> readDelayTrace(const std::string& path);
+/// The same of such a file's text. @param source_name the file's, for messages
+[[nodiscard]] Result<DelayTrace> parseDelayTrace(std::string_view text, const std::string& source_name);
 
 enum class DatagramFate : std::uint8_t { passed, lost, queue_full };
 
