@@ -63,7 +63,7 @@ void write(const sim::GestureCard& card, const GestureOptions& options) {
 void fromRecording(const GestureOptions& options) {
   const auto recording = valueOrFail(recording::Recording::open(options.recording));
   const auto touches = valueOrFail(exports::findTouches(*recording));
-  if (options.touch < 1 || options.touch > touches.size()) {
+  if (options.touch > touches.size()) {
     throw Failure(
         say("{}: touch {}: expected 1 to {}, the touches it holds", options.recording, options.touch, touches.size()));
   }
@@ -74,6 +74,9 @@ void fromRecording(const GestureOptions& options) {
 }
 
 void trim(const GestureOptions& options) {
+  if (!(options.from_s < options.to_s)) {
+    throw UsageError(say("--from {} --to {}: expected an end after the beginning", options.from_s, options.to_s));
+  }
   auto card = valueOrFail(sim::readGestureFile(options.card));
   if (options.from_s > 0.0 || std::isfinite(options.to_s)) {
     card = valueOrFail(sim::trimmed(card, options.from_s, options.to_s));
@@ -84,8 +87,11 @@ void trim(const GestureOptions& options) {
 
 void addSettings(CLI::App& command, GestureOptions& options) {
   command.add_option("-o,--out", options.out, "The card to write")->required();
-  command.add_option("--name", options.name, "What the card is called");
-  command.add_option("--speed", options.speed, "Played that much faster, 0.05 to 20");
+  command.add_option("--name", options.name, "What the card is called")->check([](const std::string& name) {
+    return name.empty() || sim::isGestureName(name) ? "" : "expected a name as a card may have: 200 bytes, printable";
+  });
+  command.add_option("--speed", options.speed, "Played that much faster, 0.05 to 20")
+      ->check(numberFrom(sim::kSlowestGesture, sim::kFastestGesture));
   auto* loop = command.add_flag("--loop", options.loop, "Played again and again");
   command.add_flag("--once", options.once, "Played once, then the finger stays lifted")->excludes(loop);
   command.add_flag("--json", options.json, "As JSON");
@@ -100,7 +106,9 @@ void add_gesture(CLI::App& app) {
   gesture->require_subcommand(1);
   CLI::App* from = gesture->add_subcommand("from", "A card of a recording's touch");
   from->add_option("recording", options->recording, "Recording")->required();
-  from->add_option("--touch", options->touch, "Which of its touches, from 1")->capture_default_str();
+  from->add_option("--touch", options->touch, "Which of its touches, from 1")
+      ->transform(wholeNumberFrom(1))
+      ->capture_default_str();
   addSettings(*from, *options);
   from->callback([options] { fromRecording(*options); });
   CLI::App* part = gesture->add_subcommand("trim", "Part of a card, or a card by another name or speed");

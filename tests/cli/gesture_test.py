@@ -41,6 +41,18 @@ class Gesture(fyd.Case):
             played = self.json("station", "--simulate", "--robot", "none", "--finger", card, "--duration", "3", "--json")
             self.assertGreater(played["contact_fraction"], 0.2)
 
+    def test_wrong_words_are_judged_before_a_file_is_opened(self):
+        trim, touch = ("gesture", "trim", "nowhere", "-o", "x"), ("gesture", "from", "nowhere", "-o", "x")
+        for speed in ("100", "0.01", "nan"):
+            self.assertIn("--speed: " + speed, self.refused(2, *trim, "--speed", speed))
+        self.assertIn("--from 5 --to 3", self.refused(2, *trim, "--from", 5, "--to", 3))
+        self.assertIn("--from 3 --to 3", self.refused(2, *trim, "--from", 3, "--to", 3))
+        for name in (201 * "a", "a\nb"):
+            self.assertIn("--name", self.refused(2, *trim, "--name", name))
+        for number in ("0", "-1", "1.5", "99999999999999999999"):
+            self.assertIn(f"--touch: {number}: expected a whole number", self.refused(2, *touch, f"--touch={number}"))
+        self.assertIn("nowhere", self.refused(1, *touch, "--touch", 1, "--speed", 20, "--name", 200 * "a"))
+
     def test_what_is_wrong_is_named(self):
         self.assertIn("nowhere", self.refused(1, "gesture", "show", "nowhere"))
         with tempfile.TemporaryDirectory() as folder:
