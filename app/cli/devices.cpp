@@ -1,4 +1,5 @@
 // fyd devices: what is plugged in, what answers, and why something does not.
+#include <algorithm>
 #include <iostream>
 #include <thread>
 
@@ -8,6 +9,7 @@
 #include "core/device/device_list.h"
 #include "core/device/touchpad/modbus_touchpad.h"
 #include "core/device/touchpad/qbmove_motors.h"
+#include "core/device/touchpad/touchpad_source.h"
 #include "core/protocol/registers/register_map.h"
 
 namespace fyd::cli {
@@ -25,19 +27,33 @@ struct DevicesOptions {
 struct Answer {
   std::string address;
   Message description;
-  Message problem;  ///< empty: it answers
+  bool answers = true;
+  Message problem;  ///< why it does not answer, or what it complains of; may be empty
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
 };
 
-/// One exchange with the motors off.
-Answer askTouchpad(const std::string& text, const device::DeviceParameters& parameters) {
-  const auto address = device::parseModbusAddress(text);
+device::ModbusAddress addressOrUsageError(const std::string& text) {
+  auto address = device::parseModbusAddress(text);
   if (!address) throw UsageError(say("--touchpad {}", address.error().message));
-  device::ModbusTouchpad touchpad(*address, parameters);
+  return std::move(*address);
+}
+
+std::unique_ptr<device::QbmoveMotors> motorsOrUsageError(const std::string& text,
+                                                         const device::DeviceParameters& parameters) {
+  auto board = device::openMotorBoard(text, parameters);
+  if (!board) throw UsageError(about("--motors", board.error().message));
+  return std::move(*board);
+}
+
+/// One exchange with the motors off.
+Answer askTouchpad(const std::string& text, const device::ModbusAddress& address,
+                   const device::DeviceParameters& parameters) {
+  device::ModbusTouchpad touchpad(address, parameters);
   Answer out{.address = text};
   const auto readings = touchpad.exchange({}, Clock::now());
   out.description = touchpad.description();
   if (!readings) {
+    out.answers = false;
     out.problem = readings.error().message;
     return out;
   }
@@ -53,13 +69,11 @@ Answer askTouchpad(const std::string& text, const device::DeviceParameters& para
   return out;
 }
 
-Answer askMotors(const std::string& text, const device::DeviceParameters& parameters) {
-  constexpr std::string_view kPrefix = "qbmove:";
-  if (!text.starts_with(kPrefix)) throw UsageError(say("--motors '{}': expected qbmove:TTY", text));
-  device::QbmoveMotors motors(text.substr(kPrefix.size()), parameters);
+Answer askMotors(const std::string& text, device::QbmoveMotors& motors) {
   Answer out{.address = text, .description = motors.description()};
   const auto feedback = motors.exchange({});
   if (!feedback) {
+    out.answers = false;
     out.problem = feedback.error().message;
     return out;
   }
@@ -75,6 +89,7 @@ Answer askCamera(const std::string& source, const device::DeviceParameters& para
   const auto frame = camera ? (*camera)->next() : fail(camera.error().message);
   if (camera) out.description = (*camera)->description();
   if (!frame) {
+    out.answers = false;
     out.problem = frame.error().message;
     return out;
   }
@@ -105,21 +120,26 @@ void runDevices(DevicesOptions& options) {
     return;
   }
   const device::DeviceParameters parameters = options.profile.load().device;
+  // All words are judged before the first device is asked.
+  std::vector<device::ModbusAddress> addresses;
+  for (const std::string& text : options.touchpads) addresses.push_back(addressOrUsageError(text));
+  std::vector<std::unique_ptr<device::QbmoveMotors>> boards;
+  for (const std::string& text : options.motors) boards.push_back(motorsOrUsageError(text, parameters));
   const auto ports = device::findSerialPorts();
   const auto cameras = device::findCaptureDevices();
   std::vector<Answer> answers;
-  answers.reserve(options.touchpads.size());
-  for (const std::string& text : options.touchpads) answers.push_back(askTouchpad(text, parameters));
-  for (const std::string& text : options.motors) answers.push_back(askMotors(text, parameters));
+  answers.reserve(addresses.size() + boards.size() + options.cameras.size());
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    answers.push_back(askTouchpad(options.touchpads[i], addresses[i], parameters));
+  }
+  for (std::size_t i = 0; i < boards.size(); ++i) answers.push_back(askMotors(options.motors[i], *boards[i]));
   for (const std::string& source : options.cameras) answers.push_back(askCamera(source, parameters));
 
   nlohmann::ordered_json json = {
       {"serial_ports", foundJson(ports)}, {"cameras", foundJson(cameras)}, {"asked", nlohmann::ordered_json::array()}};
-  bool all_answer = true;
   for (const Answer& answer : answers) {
-    all_answer = all_answer && answer.problem.empty();
     json["asked"].push_back({{"address", answer.address},
-                             {"answers", answer.problem.empty()},
+                             {"answers", answer.answers},
                              {"description", answer.description},
                              {"problem", answer.problem},
                              {"values", answer.values}});
@@ -131,13 +151,19 @@ void runDevices(DevicesOptions& options) {
     printFound("camera", cameras);
     for (const Answer& answer : answers) {
       std::cout << fmt::format("{:<16} {}  {}\n", "asked", answer.address,
-                               answer.problem.empty() ? answer.description : say("no: {}", answer.problem));
+                               answer.answers ? answer.description : say("no: {}", answer.problem));
+      if (answer.answers && !answer.problem.empty()) {
+        std::cout << fmt::format("                 {:<24} {}\n", "complains", answer.problem);
+      }
       for (const auto& [key, value] : answer.values.items()) {
         std::cout << fmt::format("                 {:<24} {}\n", key, textOf(value));
       }
     }
   }
-  if (!all_answer) throw Failure(say("not every device that was asked answers"));
+  if (!std::ranges::all_of(answers, &Answer::answers)) throw Failure(say("not every device that was asked answers"));
+  if (!std::ranges::all_of(answers, [](const Answer& each) { return each.problem.empty(); })) {
+    throw Failure(say("a device that was asked answers with a complaint"));
+  }
 }
 
 }  // namespace
@@ -149,9 +175,9 @@ void add_devices(CLI::App& app) {
                       "Ask this one, modbus-tcp:HOST:PORT or modbus-rtu:TTY[:BAUD]; its motors stay off; repeatable");
   command->add_option("--motors", options->motors, "Ask this motor board, qbmove:TTY; its motors stay off; repeatable");
   command->add_option("--camera", options->cameras, "Ask this camera for one picture; repeatable");
-  command->add_flag("--map", options->map, "Print the touchpad's register map as Markdown and end");
+  auto* map = command->add_flag("--map", options->map, "Print the touchpad's register map as Markdown and end");
   options->profile.addTo(*command);
-  command->add_flag("--json", options->json, "Result as JSON");
+  command->add_flag("--json", options->json, "Result as JSON")->excludes(map);
   command->callback([options] { runDevices(*options); });
 }
 

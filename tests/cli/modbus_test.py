@@ -117,6 +117,14 @@ class OurClient(fyd.Case):
             self.assertIn(said, answer["problem"])
 
 
+    def test_one_that_complains_answers(self):
+        code, answer = self.ask("warm")
+        self.assertEqual(code, 1)
+        self.assertIs(answer["answers"], True)
+        self.assertIn("let them cool", answer["problem"])
+        self.assertIn("PYMODBUS", answer["description"])
+
+
 class Devices(fyd.Case):
     def test_it_says_why_something_does_not_answer(self):
         done = fyd.run("devices", "--json", "--touchpad", f"modbus-tcp:127.0.0.1:{free_port()}", "--motors", "qbmove:" + self.path("none"))
@@ -125,6 +133,16 @@ class Devices(fyd.Case):
         self.assertIn("nothing listens there", asked[0]["problem"])
         self.assertIn("plugged in", asked[1]["problem"])
         self.assertIn("HOST:PORT", self.refused(2, "devices", "--touchpad", "modbus-tcp:"))
+        self.assertIn("--motors: motors 'qbmove:'", self.refused(2, "devices", "--motors", "qbmove:"))
+        self.assertIn("--map", self.refused(2, "devices", "--map", "--json").replace("--json", ""))
+
+    def test_all_words_are_judged_before_the_first_device_is_asked(self):
+        with socket.create_server(("127.0.0.1", 0)) as touchpad:
+            touchpad.settimeout(0.5)
+            address = f"modbus-tcp:127.0.0.1:{touchpad.getsockname()[1]}"
+            self.assertIn("maxon", self.refused(2, "devices", "--touchpad", address, "--motors", "maxon"))
+            with self.assertRaises(TimeoutError):
+                touchpad.accept()
 
     def test_it_asks_a_camera_for_a_picture_and_says_what_became_of_its_controls(self):
         simulator = Simulator(self, camera=True)
@@ -239,6 +257,17 @@ class Sessions(fyd.Case):
         self.assertIn("qbmove:TTY", self.refused(2, "station", "--simulate", "--motors", "maxon"))
         self.assertIn("late-reply", self.refused(2, "sim", "touchpad", "--modbus-tcp", "127.0.0.1:0", "--fault", "noise@1"))
         self.assertIn("--modbus-rtu", self.refused(2, "sim", "touchpad"))
+        port = self.path("port")
+        self.assertIn(port, self.refused(2, "sim", "touchpad", "--modbus-rtu", port, "--qbmove", port))
+        for option, of in (("--baud", "--modbus-rtu"), ("--qbmove-baud", "--qbmove")):
+            for baud in ("12345", "-5", "0"):
+                self.assertIn(f"{option}: {baud}: no speed", self.refused(2, "sim", "touchpad", of, port, f"{option}={baud}"))
+
+    def test_a_finger_may_come_through_a_pipe(self):
+        for text in ("t_s,x_mm,y_mm,z_mm\n0,0,0,-1\n1,5,0,-1\n",
+                     'format = "FYD gesture 1"\nname = "a"\n---\nt_s,x_mm,y_mm,depth_mm\n0,0,0,1\n1,5,0,1\n'):
+            self.of_a_pipe(text, "sim", "touchpad", "--modbus-tcp", "127.0.0.1:0", "--finger", "/dev/stdin",
+                           "--duration", 0.1, "--json")
 
 
 if __name__ == "__main__":

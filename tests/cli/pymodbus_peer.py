@@ -1,7 +1,8 @@
 """An independent Modbus program for the tests: python3-pymodbus as client or server, in a process of its own.
 
   pymodbus_peer.py client HOST PORT     exercises a touchpad's registers, prints what it found as JSON
-  pymodbus_peer.py server PORT SCENARIO a touchpad made of plain registers; good, wrong-magic, wrong-version or short
+  pymodbus_peer.py server PORT SCENARIO a touchpad made of plain registers; good, warm, wrong-magic, wrong-version or
+                                        short
 """
 import json
 import struct
@@ -61,6 +62,8 @@ def server(port, scenario):
         registers[2] = 0x0700
     if scenario != "short":
         registers[STATE + 4] = 0x0250  # switch-on disabled, voltage present, writes obeyed
+        if scenario == "warm":
+            registers[STATE + 4] |= 1 << 7  # close to the thermal limit
         registers[STATE + 6:STATE + 8] = struct.unpack(">HH", struct.pack(">f", 0.25))
         registers[STATE + 10:STATE + 13] = [1000, 2000, 3000]
     block = Touchpad(0, registers)

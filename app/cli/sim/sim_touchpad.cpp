@@ -5,6 +5,7 @@
 #include "app/cli/parts/command.h"
 #include "app/cli/sim/sim_touchpad.h"
 #include "core/base/end_signals.h"
+#include "core/device/serial_port.h"
 #include "core/protocol/registers/register_map.h"
 #include "core/sim/gesture_card.h"
 #include "core/sim/server/touchpad_process.h"
@@ -29,6 +30,13 @@ std::optional<protocol::Endpoint> endpoint(const char* option, const std::string
   auto parsed = protocol::parseEndpoint(text);
   if (!parsed) throw UsageError(about(option, parsed.error().message));
   return *parsed;
+}
+
+/// Check of an option.
+std::string speedOfAPort(const std::string& text) {
+  int baud = 0;
+  if (CLI::detail::lexical_cast(text, baud) && device::speedConstant(baud) != B0) return {};
+  return fmt::format("{}: no speed in baud that a serial port of this system has, such as 115200", text);
 }
 
 void reportSimTouchpad(const SimTouchpadOptions& options, const sim::TouchpadProcess& process, double seconds) {
@@ -61,6 +69,9 @@ void runSimTouchpad(SimTouchpadOptions& options) {
                       !options.process.modbus_rtu.empty() || !options.process.qbmove.empty();
   if (!served)
     throw UsageError(say("sim touchpad: expected one of --modbus-tcp, --modbus-rtu, --qbmove, --camera-mjpeg"));
+  if (!options.process.qbmove.empty() && options.process.qbmove == options.process.modbus_rtu) {
+    throw UsageError(say("--modbus-rtu, --qbmove: {} both; expected two ports", options.process.qbmove));
+  }
   for (const std::string& text : options.faults) {
     auto fault = sim::parseTimedFault(text);
     if (!fault) throw UsageError(say("--fault: {}", fault.error().message));
@@ -88,20 +99,25 @@ void addSimTouchpad(CLI::App& sim) {
   command->add_option("--modbus-tcp", options->modbus_tcp, "Serve the registers there, HOST:PORT; port 0: any");
   command->add_option("--modbus-rtu", process.modbus_rtu,
                       "Serve the registers on this serial port; a path that does not exist becomes a pseudo-terminal");
-  command->add_option("--baud", process.modbus_baud, "Speed of a real port of --modbus-rtu")->capture_default_str();
+  command->add_option("--baud", process.modbus_baud, "Speed of a real port of --modbus-rtu")
+      ->check(speedOfAPort)
+      ->capture_default_str();
   command->add_option(
       "--qbmove", process.qbmove,
       "Serve the motor board's protocol on this serial port; a path that does not exist becomes a pseudo-terminal");
-  command->add_option("--qbmove-baud", process.qbmove_baud, "Speed of a real port of --qbmove")->capture_default_str();
+  command->add_option("--qbmove-baud", process.qbmove_baud, "Speed of a real port of --qbmove")
+      ->check(speedOfAPort)
+      ->capture_default_str();
   command
       ->add_option("--qbmove-vibration", process.board.vibration_opcode,
                    "Number of the motor board's vibration command; 0: it has none")
-      ->check(CLI::Range(0, 255));
+      ->transform(wholeNumberFrom(0, 255));
   command->add_option("--camera-mjpeg", options->camera_mjpeg, "Serve the camera there as MJPEG at /, HOST:PORT");
   command->add_option("--serial", options->serial, "Serial number that it tells; default: FYD-SIM-0001")
       ->check([](const std::string& text) { return text.size() <= 16 ? "" : "expected at most 16 characters"; });
   command->add_option("--finger", options->finger, "Recording the finger follows (columns t_s,x_mm,y_mm,z_mm)");
-  command->add_option("--seed", process.parameters.seed, "Seed of its noise")->check(CLI::Range(0, 1'000'000'000));
+  command->add_option("--seed", process.parameters.seed, "Seed of its noise")
+      ->transform(wholeNumberFrom(0, 1'000'000'000));
   command->add_option("--fault", options->faults,
                       fmt::format("NAME@SECONDS or NAME@SECONDS+DURATION; repeatable. Names: {}",
                                   fmt::join(sim::kTouchpadFaultNames, ", ")));
