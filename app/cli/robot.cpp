@@ -13,20 +13,21 @@ namespace fyd::cli {
 namespace {
 
 constexpr std::string_view kKuka = "kuka:";
+constexpr std::string_view kUsualAxes = "-y,-x,z", kUsualSmoothing = "0.8,0.9";
 
 struct RobotCliOptions {
   EndOptions end;
   MaterialOptions material;
   std::string arm = "simulated";
   std::string scene;
-  std::string axes = "-y,-x,z";
-  std::string krc;
+  std::optional<std::string> axes;
+  std::optional<std::string> krc;
   bool no_probe = false;
-  double known_stiffness = 0.0;
+  std::optional<double> known_stiffness;
   std::string probe_estimate = "slope";
   device::ProbeSettings probe;
   std::string scale = "1,3";
-  std::string smoothing = "0.8,0.9";
+  std::optional<std::string> smoothing;
   std::string predictor = "default";
   double smooth_ms = device::TouchReferenceSettings{}.smooth_ms;
   std::optional<double> arm_lag_ms;
@@ -36,12 +37,13 @@ struct RobotCliOptions {
 
 protocol::TouchMappingSettings mappingOf(const RobotCliOptions& given) {
   const auto scale = numbersOrUsageError("--scale", given.scale, 2);
-  const auto keep = numbersOrUsageError("--smoothing", given.smoothing, 2);
+  const std::string smoothing = given.smoothing.value_or(std::string(kUsualSmoothing));
+  const auto keep = numbersOrUsageError("--smoothing", smoothing, 2);
   if (std::ranges::min(scale) < 0.0 || std::ranges::max(scale) > 20.0) {
     throw UsageError(say("--scale {}: expected two factors of 0 to 20", given.scale));
   }
   if (std::ranges::min(keep) < 0.0 || std::ranges::max(keep) >= 1.0) {
-    throw UsageError(say("--smoothing {}: expected two shares of 0 to below 1", given.smoothing));
+    throw UsageError(say("--smoothing {}: expected two shares of 0 to below 1", smoothing));
   }
   return {.scale_xy = scale[0], .scale_z = scale[1], .keep_xy = keep[0], .keep_z = keep[1]};
 }
@@ -64,24 +66,52 @@ nlohmann::ordered_json armJson(const device::FriRobot& robot) {
           {"answers_not_taken", c.not_taken}};
 }
 
+/// What --arm kuka:… takes; nothing with another arm, which takes neither --axes nor --krc.
+std::optional<device::FriSettings> kukaOf(const RobotCliOptions& given) {
+  device::FriSettings settings;
+  if (given.krc) settings.krc = endpointOrUsageError("--krc", *given.krc + ":0");
+  const auto axes = device::parseAxisMap(given.axes.value_or(std::string(kUsualAxes)));
+  if (!axes) throw UsageError(about("--axes", axes.error().message));
+  settings.axes = *axes;
+  if (given.scene.empty() && given.arm.starts_with(kKuka)) {
+    settings.bind = endpointOrUsageError("--arm", given.arm.substr(kKuka.size()));
+    return settings;
+  }
+  if (given.scene.empty() && given.arm != "simulated") {
+    throw UsageError(say("--arm \"{}\": expected simulated or kuka:HOST:PORT", given.arm));
+  }
+  if (given.axes) throw CLI::RequiresError("--axes", "--arm kuka:HOST:PORT");
+  if (given.krc) throw CLI::RequiresError("--krc", "--arm kuka:HOST:PORT");
+  return {};
+}
+
 void runRobot(const RobotCliOptions& given) {
-  device::RobotRunnerOptions options = runnerOptions(given.end, "fyd robot " FYD_VERSION);
-  options.reference.mapping = mappingOf(given);
+  const auto kuka = kukaOf(given);
+  const auto mapping = mappingOf(given);
   const auto following = device::followingNamed(given.predictor);
   if (!following) throw UsageError(about("--predictor", following.error().message));
+  if (given.smoothing && given.predictor != "thesis") throw CLI::RequiresError("--smoothing", "--predictor thesis");
+  if (given.known_stiffness && !given.no_probe && given.scene.empty()) {  // a scene is never probed
+    throw CLI::RequiresError("--known-stiffness", "--no-probe");
+  }
+  const auto workspace = numbersOrUsageError("--workspace", given.workspace, 3);
+  device::MotionLimits limits = given.limits;
+  limits.workspace_mm = {workspace[0], workspace[1], workspace[2]};
+  if (auto good = device::checkLimits(limits); !good) throw UsageError(good.error().message);
+
+  // Opens the key's file: after all that is wrong without looking.
+  device::RobotRunnerOptions options = runnerOptions(given.end, "fyd robot " FYD_VERSION);
+  options.reference.mapping = mapping;
   options.reference.predictor = *following;
   options.reference.smooth_ms = given.smooth_ms;
   options.reference.lead_ms = given.arm_lag_ms;
-  options.limits = given.limits;
-  const auto workspace = numbersOrUsageError("--workspace", given.workspace, 3);
-  options.limits.workspace_mm = {workspace[0], workspace[1], workspace[2]};
-  if (auto good = device::checkLimits(options.limits); !good) throw UsageError(good.error().message);
+  options.limits = limits;
   options.probe = given.probe;
   options.probe.estimate = given.probe_estimate == "slope"  ? device::ProbeEstimate::slope
                            : given.probe_estimate == "mean" ? device::ProbeEstimate::mean
                                                             : device::ProbeEstimate::thesis;
   options.probe_material = !given.no_probe;
-  options.known_stiffness_N_per_mm = given.known_stiffness;
+  options.known_stiffness_N_per_mm = given.known_stiffness.value_or(0.0);
 
   if (!given.scene.empty()) {
     options.probe_material = false;
@@ -91,20 +121,11 @@ void runRobot(const RobotCliOptions& given) {
     runRobotEnd(given.end, options, std::move(arm), {});
     return;
   }
-  if (given.arm == "simulated") {
+  if (!kuka) {
     runRobotEnd(given.end, options, std::make_unique<sim::RobotArm>(simParameters(given.material)), {});
     return;
   }
-  if (!given.arm.starts_with(kKuka)) {
-    throw UsageError(say("--arm \"{}\": expected simulated or kuka:HOST:PORT", given.arm));
-  }
-  device::FriSettings settings;
-  settings.bind = endpointOrUsageError("--arm", given.arm.substr(kKuka.size()));
-  if (!given.krc.empty()) settings.krc = endpointOrUsageError("--krc", given.krc + ":0");
-  const auto axes = device::parseAxisMap(given.axes);
-  if (!axes) throw UsageError(about("--axes", axes.error().message));
-  settings.axes = *axes;
-  auto arm = valueOrFail(device::FriRobot::open(settings));
+  auto arm = valueOrFail(device::FriRobot::open(*kuka));
   // The runner owns it from here on and is alive when the summary is made.
   runRobotEnd(given.end, options, std::move(arm), [fri = arm.get()] { return armJson(*fri); });
 }
@@ -122,7 +143,8 @@ void add_robot(CLI::App& app) {
       ->capture_default_str();
   robot->add_option("--scene", options->scene, "Scene file that stands in the arm's place")->excludes("--arm");
   robot->add_option("--krc", options->krc, "Accept this host as the controller only");
-  robot->add_option("--axes", options->axes, "Our axes along the LWR's base X, Y, Z")->capture_default_str();
+  robot->add_option("--axes", options->axes, "Our axes along the LWR's base X, Y, Z")
+      ->default_str(std::string(kUsualAxes));
   addMaterialOptions(*robot, options->material);
   robot->add_flag("--no-probe", options->no_probe, "Do not probe the material");
   robot->add_option("--known-stiffness", options->known_stiffness, "N/mm to tell the touchpad with --no-probe")
@@ -156,7 +178,7 @@ void add_robot(CLI::App& app) {
           "the KUKA does not")
       ->check(numberFrom(0.0, 500.0));
   robot->add_option("--smoothing", options->smoothing, "XY,Z: share of the old target kept at each touch, of thesis")
-      ->capture_default_str();
+      ->default_str(std::string(kUsualSmoothing));
   robot->add_option("--workspace", options->workspace, "X,Y,Z: largest distances from the start, mm")
       ->capture_default_str();
   robot->add_option("--speed-limit", options->limits.speed_mm_s, "mm/s")->capture_default_str();

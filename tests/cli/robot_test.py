@@ -150,7 +150,15 @@ class WrongOptions(fyd.Case):
         self.assertIn("x,x,z", self.refused(2, *robot, "--arm", "kuka:127.0.0.1:0", "--axes", "x,x,z"))
         self.assertIn("--scale", self.refused(2, *robot, "--scale", "1"))
         self.assertIn("--smoothing", self.refused(2, *robot, "--smoothing", "1,1"))
+        self.assertIn("--predictor thesis", self.refused(2, *robot, "--smoothing", "0.8,0.9"))
+        self.assertIn("--no-probe", self.refused(2, *robot, "--known-stiffness", 0.5))
         self.assertIn("oracle", self.refused(2, *robot, "--predictor", "oracle"))
+        for option, wrong, good in (("--axes", "foo", "x,y,z"), ("--krc", "foo", "127.0.0.1")):
+            self.assertIn("foo", self.refused(2, *robot, option, wrong))
+            self.assertIn(option + " requires --arm", self.refused(2, *robot, option, good))
+            self.assertIn(option + " requires --arm", self.refused(2, *robot, option, good, "--scene", "nowhere.toml"))
+        self.assertIn("workspace", self.refused(2, *robot, "--link", "--key", "nokey", "--workspace", "1,2"))
+        self.assertIn("nokey", self.refused(1, *robot, "--link", "--key", "nokey"))
         self.assertIn("speed limit", self.refused(2, *robot, "--speed-limit", "1e9"))
         self.assertIn("acceleration limit", self.refused(2, *robot, "--acceleration-limit", "1"))
         self.assertIn("jerk limit 5", self.refused(2, *robot, "--jerk-limit", "5"))
@@ -164,6 +172,17 @@ class WrongOptions(fyd.Case):
         network = ("sim", "network", "--listen", "127.0.0.1:0", "--forward", "127.0.0.1:9")
         self.assertIn("loss 101 %", self.refused(2, *network, "--loss", 101))
         self.assertIn("modem", self.refused(2, *network, "--profile", "modem"))
+        self.assertIn("loss 200 %", self.refused(2, *network, "--profile", "no.csv", "--loss", 200))
+        self.assertIn("--delay", self.refused(2, *network, "--profile", "no.csv", "--delay", 5))
+
+    def test_an_end_that_cannot_be_reached_is_wrong_usage(self):
+        for option, command in (("--connect", ("robot",)), ("--connect", ("sim", "robot")), ("--remote", ("sim", "krc")),
+                                ("--forward", ("sim", "network", "--listen", "127.0.0.1:0"))):
+            with self.subTest(command=command):
+                self.assertIn(f"{option} 127.0.0.1:0: no port", self.refused(2, *command, option, "127.0.0.1:0"))
+        for option, command in (("--connect", ("robot",)), ("--connect", ("sim", "robot")), ("--remote", ("sim", "krc"))):
+            with self.subTest(command=command):
+                self.assertIn("both must be IPv4 or both IPv6", self.refused(2, *command, option, "[::1]:3490"))
 
     def test_a_failed_operation_exits_with_1(self):
         network = ("sim", "network", "--listen", "127.0.0.1:0", "--forward", "127.0.0.1:9", "--profile")

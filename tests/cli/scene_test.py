@@ -294,6 +294,30 @@ class Fencing(fyd.Case):
             self.assertLess(player["other_grip_error_mm_rms"], 4.0)
         self.assertGreaterEqual(two["datagrams_not_understood"], 3)
 
+    def test_a_clock_that_is_ahead_is_no_link(self):
+        scene, ahead_us = self.scene("s.toml"), 2_000_000
+        ports = [fyd.free_port(), fyd.free_port()]
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as between:
+            between.bind(("127.0.0.1", 0))
+            between.settimeout(0.1)
+            one, two = (fyd.Running(self, "scene", "fence", scene, "--listen", f"127.0.0.1:{port}", "--peer",
+                                    f"127.0.0.1:{between.getsockname()[1]}", "--json", *more)
+                        for port, more in zip(ports, (("--duration", 2), ())))
+            while one.runs():
+                try:
+                    words, (_, port) = between.recvfrom(2000)
+                except TimeoutError:
+                    continue
+                if port == ports[1] and words[:2] in (b"TD", b"TN"):  # the date: behind magic, flags, session
+                    date = int.from_bytes(words[5:11], "little") + ahead_us
+                    words = words[:5] + date.to_bytes(6, "little") + words[11:]
+                between.sendto(words, ("127.0.0.1", ports[0] if port == ports[1] else ports[1]))
+        out, _ = one.process.communicate(timeout=fyd.PATIENCE)
+        self.assertEqual(one.process.returncode, 1, out)
+        self.assertIn("clock is 2.0 s ahead", one.log().splitlines()[-1])
+        self.assertEqual(one.log().count("clock is"), 2)  # once while it runs, and why it failed
+        two.stop()
+
     def test_copies_that_differ_are_said(self):
         one, two, log = self.fence(self.scene("a.toml"), self.scene("b.toml", 0.6))
         self.assertEqual((one["scenes"], two["scenes"]), ("different", "different"))
@@ -306,6 +330,8 @@ class Fencing(fyd.Case):
             file.write("[ball]\n")
         self.assertIn("no [swords]", self.refused(1, "scene", "fence", self.path("n.toml"), "--duration", 1))
         self.assertIn("--peer", self.refused(2, "scene", "fence", scene, "--peer", "nowhere"))
+        for option, value in (("--peer", "127.0.0.1:0"), ("--peer", "[::1]:9"), ("--listen", "nowhere"), ("--predictor", "foo")):
+            self.assertIn(value, self.refused(2, "scene", "fence", "nosuch", option, value))
         self.assertIn("--predictor", self.refused(2, "scene", "fence", scene, "--predictor", "oracle"))
         self.assertIn("--card", self.refused(2, "scene", "fence", scene, "--card", "a", "--path", "b"))
 

@@ -154,8 +154,9 @@ void addEndOptions(CLI::App& command, EndOptions& options) {
 
 device::RobotRunnerOptions runnerOptions(const EndOptions& given, std::string_view name) {
   device::RobotRunnerOptions options;
-  options.touchpad = endpointOrUsageError("--connect", given.connect);
+  options.touchpad = partnerOrUsageError("--connect", given.connect);
   options.bind = endpointOrUsageError("--bind", given.bind);
+  requireOneFamily(options.bind, options.touchpad);
   options.rate_Hz = given.rate_Hz;
   const auto reference = numbersOrUsageError("--motor-reference", given.motor_reference, 2);
   options.motor_reference = {.first_ticks = reference[0], .second_ticks = reference[1]};
@@ -165,10 +166,10 @@ device::RobotRunnerOptions runnerOptions(const EndOptions& given, std::string_vi
     throw UsageError(given.link ? say("--link: FYD Link needs --key FILE; fyd link keygen makes one")
                                 : say("--key: only FYD Link takes a key; add --link"));
   }
-  if (given.link) options.key = valueOrFail(protocol::readKeyFile(given.key));
   options.secure.rates.state_Hz = given.state_rate_Hz;
   options.secure.text = name;
   for (const std::string& text : given.commands) options.commands.push_back(parseCommandAt(text));
+  if (given.link) options.key = valueOrFail(protocol::readKeyFile(given.key));
   return options;
 }
 

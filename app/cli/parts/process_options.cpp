@@ -16,6 +16,18 @@ protocol::Endpoint endpointOrUsageError(const std::string& option, const std::st
   return *endpoint;
 }
 
+protocol::Endpoint partnerOrUsageError(const std::string& option, const std::string& text) {
+  const protocol::Endpoint partner = endpointOrUsageError(option, text);
+  if (partner.port == 0) throw UsageError(say("{} {}: no port to send to; expected HOST:PORT", option, text));
+  return partner;
+}
+
+void requireOneFamily(const protocol::Endpoint& own, const protocol::Endpoint& partner) {
+  if (own.v6 == partner.v6) return;
+  throw UsageError(say("{} cannot send to {}: both must be IPv4 or both IPv6", protocol::toString(own),
+                       protocol::toString(partner)));
+}
+
 double numberOrUsageError(const std::string& option, std::string_view text) {
   double value = 0.0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -45,7 +57,8 @@ void addMaterialOptions(CLI::App& command, MaterialOptions& options) {
       ->capture_default_str();
   command.add_option("--stiffness", options.stiffness, "N/mm in place of the material's own; 0 keeps that")
       ->check(numberFrom(0.0, 1000.0));
-  command.add_option("--seed", options.seed, "Seed of the simulation's noise")->check(CLI::Range(0, 1'000'000'000));
+  command.add_option("--seed", options.seed, "Seed of the simulation's noise")
+      ->transform(wholeNumberFrom(0, 1'000'000'000));
 }
 
 sim::SimParameters simParameters(const MaterialOptions& options) {

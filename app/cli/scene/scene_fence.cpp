@@ -1,6 +1,7 @@
 // fyd scene fence: one of two players with a sword each, the other in another process or on another machine.
 #include <cmath>
 #include <deque>
+#include <iostream>
 #include <numbers>
 #include <random>
 #include <thread>
@@ -97,16 +98,30 @@ struct Figures {
   std::vector<double> ages_ms;
 };
 
+struct Addresses {
+  protocol::Endpoint own;
+  std::optional<protocol::Endpoint> peer;
+};
+
+Addresses addressesOf(const FenceOptions& options) {
+  Addresses out{.own = endpointOrUsageError("--listen", options.listen), .peer = {}};
+  if (options.peer.empty()) return out;
+  out.peer = partnerOrUsageError("--peer", options.peer);
+  requireOneFamily(out.own, *out.peer);
+  return out;
+}
+
 class Player {
  public:
-  Player(const FenceOptions& options, const sim::FencingSettings& settings, std::string digest)
+  Player(const FenceOptions& options, const Addresses& addresses, const sim::FencingSettings& settings,
+         std::string digest)
       : options_(options),
         settings_(settings),
         digest_(std::move(digest)),
-        socket_(valueOrFail(protocol::UdpSocket::open(endpointOrUsageError("--listen", options.listen)))),
+        socket_(valueOrFail(protocol::UdpSocket::open(addresses.own))),
+        peer_(addresses.peer),
         hand_(options),
         end_(settings) {
-    if (!options.peer.empty()) peer_ = endpointOrUsageError("--peer", options.peer);
     end_.start(static_cast<std::uint16_t>(std::random_device{}()));
     if (!options.out.empty()) {
       rows_ =
@@ -126,7 +141,10 @@ class Player {
       take(std::span<const std::uint8_t>(buffer_).first(got->size), got->from, now_s);
     }
     const scene::SwordTouch touch = end_.step(hand_.at(now_s - began_s_), now_s);
-    if (linked()) remember(now_s);
+    if (linked()) {
+      ever_linked_ = true;
+      remember(now_s);
+    }
     to_compare_.clear();
     figures.touching += touch.touching ? 1 : 0;
     figures.contacts += touch.began ? 1 : 0;
@@ -156,7 +174,9 @@ class Player {
     return there_ ? protocol::compareScenes(digest_, *there_) : protocol::SceneCopies::none;
   }
   [[nodiscard]] bool linked() const { return end_.phase() == sim::TeleopEnd::Phase::linked; }
-  [[nodiscard]] bool everLinked() const { return figures.received > 0; }
+  [[nodiscard]] bool everLinked() const { return ever_linked_; }
+  /// What the first message that was dated too far from now says of the clocks; empty: none was.
+  [[nodiscard]] const Message& otherClock() const { return other_clock_; }
 
   Figures figures;
 
@@ -187,6 +207,14 @@ class Player {
     if (figures.received++ == 0) figures.first_s = message->date_s;
     figures.last_s = std::max(figures.last_s, message->date_s);
     const double age_ms = 1e3 * (now_s - message->date_s);
+    if (other_clock_.empty() && std::abs(age_ms) > 1e3 * sim::TeleopEnd::kLost_s) {
+      const double apart_s = 1e-3 * std::abs(age_ms);
+      other_clock_ =
+          age_ms < 0.0
+              ? fyd::say("the other player's clock is {:.1f} s ahead of this one; set both", apart_s)
+              : fyd::say("the other player's clock is {:.1f} s behind this one, or the network is slow", apart_s);
+      std::cerr << fmt::format("{}\n", other_clock_);
+    }
     if (figures.ages_ms.size() < kMostAges) {
       figures.ages_ms.push_back(age_ms);
     } else {
@@ -221,6 +249,8 @@ class Player {
   sim::FencingEnd end_;
   SharedClock clock_;
   double began_s_ = 0.0, tell_s_ = 0.0;
+  bool ever_linked_ = false;
+  Message other_clock_;
   std::optional<std::string> there_;
   std::deque<std::pair<double, Vec3>> believed_;
   std::vector<protocol::DeviceMessage> to_compare_;  // of this step
@@ -253,14 +283,15 @@ nlohmann::ordered_json fencingSummary(Player& player, const sim::FencingSettings
 }
 
 void fence(const FenceOptions& options) {
-  const scene::LoadedScene file = valueOrFail(sim::openScene(options.scene));
-  if (!file.description.swords) throw Failure(say("{}: no [swords] to fence with", options.scene));
   const auto predictor = teleop::predictorNamed(options.predictor);
   if (!predictor) throw UsageError(about("--predictor", predictor.error().message));
+  const Addresses addresses = addressesOf(options);
+  const scene::LoadedScene file = valueOrFail(sim::openScene(options.scene));
+  if (!file.description.swords) throw Failure(say("{}: no [swords] to fence with", options.scene));
   const sim::FencingSettings settings{
       .swords = *file.description.swords, .players = file.description.fencing, .predictor = *predictor};
   if (!options.out.empty()) refuseToDestroy(options.out, {options.scene, options.path, options.card});
-  Player player(options, settings, digestOf(file));
+  Player player(options, addresses, settings, digestOf(file));
   std::cerr << fmt::format("fencing on {} with {}\n", protocol::toString(player.local()),
                            options.peer.empty() ? "whoever speaks first" : options.peer);
   station::HapticLoop loop;
@@ -283,7 +314,9 @@ void fence(const FenceOptions& options) {
     player.farewell();
   });
   if (!player.everLinked()) {
-    throw Failure(say("{}: no other player answered", options.peer.empty() ? options.listen : options.peer));
+    const std::string& whom = options.peer.empty() ? options.listen : options.peer;
+    if (!player.otherClock().empty()) throw Failure(about(whom, player.otherClock()));
+    throw Failure(say("{}: no other player answered", whom));
   }
   printSummary(fencingSummary(player, settings, loop.missedCycles()), options.json);
 }

@@ -60,8 +60,9 @@ nlohmann::ordered_json controllerJson(const sim::KrcStatus& s) {
 
 void runKrc(const KrcCliOptions& given) {
   sim::KrcOptions options;
-  options.remote = endpointOrUsageError("--remote", given.remote);
+  options.remote = partnerOrUsageError("--remote", given.remote);
   options.bind = endpointOrUsageError("--bind", given.bind);
+  requireOneFamily(options.bind, options.remote);
   options.period_ms = given.period_ms;
   options.monitor_for_s = given.monitor_for_s;
   options.arm = simParameters(given.material);

@@ -26,18 +26,7 @@ struct NetworkCliOptions {
   bool json = false;
 };
 
-sim::NetworkProfile makePath(const NetworkCliOptions& given) {
-  sim::NetworkProfile path;
-  if (std::ranges::find(sim::kNetworkProfiles, given.profile) != sim::kNetworkProfiles.end()) {
-    path = valueOrFail(sim::networkProfile(given.profile));
-  } else if (!given.profile.empty()) {
-    if (!given.profile.ends_with(".csv")) {
-      throw UsageError(say("--profile \"{}\": expected isdn, adsl, lan or a CSV file", given.profile));
-    }
-    path.forward.trace = valueOrFail(sim::readDelayTrace(given.profile));
-    path.backward.trace = path.forward.trace;
-    if (given.delay_ms) throw UsageError(say("--delay: a recorded profile has its own"));
-  }
+void takeOptions(const NetworkCliOptions& given, sim::NetworkProfile& path) {
   for (sim::NetworkSettings* direction : {&path.forward, &path.backward}) {
     const auto set = [](const std::optional<double>& from, double& to) { to = from.value_or(to); };
     set(given.delay_ms, direction->delay_ms);
@@ -50,6 +39,22 @@ sim::NetworkProfile makePath(const NetworkCliOptions& given) {
     set(given.queue_ms, direction->queue_ms);
     if (auto good = sim::checkNetwork(*direction); !good) throw UsageError(good.error().message);
   }
+}
+
+sim::NetworkProfile makePath(const NetworkCliOptions& given) {
+  sim::NetworkProfile path;
+  takeOptions(given, path);  // judged before a file is opened
+  if (std::ranges::find(sim::kNetworkProfiles, given.profile) != sim::kNetworkProfiles.end()) {
+    path = valueOrFail(sim::networkProfile(given.profile));
+  } else if (!given.profile.empty()) {
+    if (!given.profile.ends_with(".csv")) {
+      throw UsageError(say("--profile \"{}\": expected isdn, adsl, lan or a CSV file", given.profile));
+    }
+    if (given.delay_ms) throw UsageError(say("--delay: a recorded profile has its own"));
+    path.forward.trace = valueOrFail(sim::readDelayTrace(given.profile));
+    path.backward.trace = path.forward.trace;
+  }
+  takeOptions(given, path);
   path.forward.seed = 2 * given.seed;
   path.backward.seed = 2 * given.seed + 1;
   return path;
@@ -73,7 +78,7 @@ nlohmann::ordered_json directionJson(const sim::DirectionStatistics& s) {
 void runNetwork(const NetworkCliOptions& given) {
   sim::NetworkRelayOptions options;
   options.listen = endpointOrUsageError("--listen", given.listen);
-  options.forward = endpointOrUsageError("--forward", given.forward);
+  options.forward = partnerOrUsageError("--forward", given.forward);
   options.path = makePath(given);
   const auto relay = valueOrFail(sim::NetworkRelay::open(options));
   runUntilInterrupted([&](const std::stop_token& stop) { relay->run(stop, runLimit(given.duration_s)); });
@@ -109,7 +114,7 @@ void addSimNetwork(CLI::App& sim) {
   network->add_option("--rate", options->rate_bit_per_s, "Flow of the line, bit/s; 0: without limit");
   network->add_option("--queue", options->queue_ms, "Longest wait for the line, ms; what would wait longer is dropped");
   network->add_option("--seed", options->seed, "Seed of the random delays, losses and copies")
-      ->check(CLI::Range(0, 1'000'000'000));
+      ->transform(wholeNumberFrom(0, 1'000'000'000));
   addRunOptions(*network, options->duration_s, options->json, "Ctrl-C");
   network->callback([options] { runNetwork(*options); });
 }
