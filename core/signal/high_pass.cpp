@@ -9,7 +9,7 @@
 namespace fyd::signal {
 
 BiquadCoefficients highPass(double corner_Hz, double sample_rate_Hz) {
-  const double ratio = std::clamp(corner_Hz / sample_rate_Hz, 1e-6, 0.49);
+  const double ratio = std::clamp(corner_Hz / sample_rate_Hz, 1e-6, kHighestCorner);
   const double k = math::tan(std::numbers::pi * ratio);
   const double g = 1.0 / (1.0 + std::numbers::sqrt2 * k + k * k);
   return {.b0 = g,

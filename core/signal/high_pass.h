@@ -8,10 +8,12 @@
 
 namespace fyd::signal {
 
+inline constexpr double kHighestCorner = 0.49;  ///< of the sample rate
+
 /// Butterworth (maximally flat), by the bilinear transform with the corner prewarped: −3 dB exactly at `corner_Hz`,
 /// b = g·(1, −2, 1), so a constant gives exactly zero once settled; no inversion (+1 at Nyquist).
 /// With K = tan(π·corner/rate): g = 1/(1 + √2·K + K²), a1 = 2·(K² − 1)·g, a2 = (1 − √2·K + K²)·g.
-/// @param corner_Hz is brought into 1e-6 … 0.49 of `sample_rate_Hz`
+/// @param corner_Hz is brought into 1e-6 … kHighestCorner of `sample_rate_Hz`
 [[nodiscard]] FYD_API BiquadCoefficients highPass(double corner_Hz, double sample_rate_Hz);
 
 /// As printed for 1 kHz [thesis §4.1.4]: Σb = 1e-4 leaves gravity a gain of +0.0039 (−48 dB); the passband

@@ -22,8 +22,6 @@ void MethodBank::select(const ChainChoice& choice) {
   withMethod(choice, [&](Method& method) { chain_.select(choice.filter, choice.corner_Hz, sample_rate_Hz_, method); });
 }
 
-namespace {
-
 Result<void> checkFrame(MethodChoice choice, int frame, int hop) {
   if (choice != MethodChoice::dft321 && choice != MethodChoice::dft321_thesis) return {};
   if (frame < 2 || frame > kMaximumFrame) return fail("frame = {}: expected 2 … {} samples", frame, kMaximumFrame);
@@ -31,8 +29,6 @@ Result<void> checkFrame(MethodChoice choice, int frame, int hop) {
   if (hop >= 1 && hop <= frame && frame % hop == 0) return {};
   return fail("hop = {}: expected a divisor of the frame, {} (blocks) or less (overlapped)", hop, frame);
 }
-
-}  // namespace
 
 Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame, int hop) {
   if (auto checked = checkFrame(choice, frame, hop); !checked) return tl::unexpected(checked.error());

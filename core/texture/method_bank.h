@@ -76,6 +76,9 @@ class FYD_API MethodBank {
   Chain chain_;
 };
 
+/// @return the error of makeMethod
+[[nodiscard]] FYD_API Result<void> checkFrame(MethodChoice choice, int frame, int hop);
+
 /// Makes any method with any frame, for programs and tests; the renderer makes its own set.
 /// @param frame  of dft321 and dft321_thesis: 2…4096 samples
 /// @param hop    of dft321: the frame (blocks) or a smaller divisor of it (overlapped)

@@ -230,6 +230,17 @@ class Identify(fyd.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("'free_spede_deg_s': not known", done.stderr)
 
+    def test_the_base_is_not_written_over(self):
+        self.sweep()
+        text = plant_toml()
+        with open(self.path("base.toml"), "w", encoding="utf-8") as file:
+            file.write(text)
+        done = fyd.run("texture", "identify", self.path("sweep.csv"), "-o", self.path("base.toml"), "--base", self.path("base.toml"))
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("choose another name", done.stderr)
+        with open(self.path("base.toml"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), text)
+
     def test_a_profile_takes_it(self):
         self.sweep()
         done = self.json("calibrate", "texture", self.path("sweep.csv"), "--profile", self.path("lab.toml"), "--json")

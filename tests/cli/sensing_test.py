@@ -48,7 +48,8 @@ class Finger(fyd.Case):
         done = fyd.run("finger", bad, good, "missing.png", "--json")
         self.assertEqual(done.returncode, 1)
         self.assertIn("bad.png", done.stderr)
-        self.assertIn("missing.png", done.stderr)
+        self.assertIn("missing.png: cannot be read: ", done.stderr)
+        self.assertIn("it is no file", fyd.run("finger", self.folder).stderr)
         self.assertIn('"contact": true', done.stdout)
 
     def test_the_profile_sets_region_and_scale(self):

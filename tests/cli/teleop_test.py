@@ -84,6 +84,7 @@ class Teleop(fyd.Case):
         self.assertIn("order2", self.refused(2, *run, "--predictor", "order2"))
         self.assertIn("rope", self.refused(2, *run, "--coupling", "rope"))
         self.assertIn("period 0", self.refused(2, *run, "--period", 0))
+        self.assertIn("period 0", self.refused(2, *run, "--period", 0, "--profile", "no.csv"))
         self.assertIn("-5", self.refused(2, *run, "--delay=-5"))
         self.assertIn("wall -1", self.refused(2, *run, "--wall=-1"))
         self.assertIn("deadband -1", self.refused(2, *run, "--deadband=-1"))
@@ -96,6 +97,16 @@ class Teleop(fyd.Case):
         self.assertRegex(self.refused(1, "teleop", "run", "--trace", millis), "millis.csv: 60000 s .*3600: are the times in seconds")
         self.assertIn("seconds", self.refused(2, "teleop", "table", "--seconds", 0))
         self.assertIn("no recordings", self.refused(1, "teleop", "table", "--data", self.path("empty")))
+
+    def test_where_the_tables_picture_cannot_go_is_said_before_the_work(self):
+        folder = self.path("data")
+        os.makedirs(os.path.join(folder, "network"))
+        hand, network = os.path.join(folder, "hand.csv"), os.path.join(folder, "network", "urban.csv")
+        os.symlink(TRACE, hand)
+        os.symlink(NETWORK, network)
+        for out in (hand, network, self.path("new.h5"), folder):
+            with self.subTest(out=out):
+                self.assertIn(out, self.refused(1, "teleop", "table", "--data", folder, "--out", out))  # and no rows
 
     def test_the_table_has_every_network_period_and_predictor(self):
         folder = self.path("data")

@@ -24,6 +24,21 @@ class Texture(fyd.Case):
         source = self.accelerations(slow_g=1, noise_g=0.1)
         return self.json("texture", "render", source, "--filter", "none", *options, "--json")["edge_jump_ratio"]
 
+    def test_what_is_wrong_by_itself_is_said_before_files_are_opened(self):
+        render, fit = ("texture", "render", "nowhere"), ("texture", "fit", "nowhere")
+        for option, value in (("--frame", "0"), ("--hop", "0"), ("--hop", "7")):
+            self.assertRegex(self.refused(2, *render, option, value), "0: expected a whole number|hop = 7")
+        for option, value in (("--force", "nan"), ("--force", "0"), ("--speed", "inf"), ("--speed", "nan"), ("--speed", "-1")):
+            self.assertIn(f"{option}: {value}: expected a number", self.refused(2, *fit, f"{option}={value}"))
+        self.assertIn("nowhere", self.refused(1, *fit, "--speed", 40, "--force", 1))
+
+    def test_a_corner_that_the_rate_does_not_hold_is_refused(self):
+        source = self.accelerations(rate_Hz=100)
+        said = self.refused(2, "texture", "render", source, "--rate", 100, "--corner", 90000)
+        self.assertIn("--corner 90000 Hz: expected at most 49 Hz", said)
+        self.refused(2, "texture", "render", source, "--corner", 49.5)
+        self.json("texture", "render", source, "--corner", 40, "--json")
+
     def test_edges_of_frames_are_sought_where_they_are(self):
         # The thesis' program is silent for a sample between two blocks: into that sample its slow signal jumps.
         for frame in (16, 32, 64):

@@ -46,18 +46,24 @@ void runRun(RunOptions options) {
   sim::TeleopRunSettings& settings = options.settings;
   settings.predictor = *predictor;
   settings.coupling = *coupling;
-  if (!options.profile.empty()) {
-    if (options.delay_ms) throw UsageError(say("--delay: a recorded profile has its own"));
-    settings.path = networkPath(options.profile, options.seed);
+  if (!options.profile.empty() && options.delay_ms) {
+    throw UsageError(say("--delay: a recorded profile has its own"));
   }
-  for (sim::NetworkSettings* way : {&settings.path.forward, &settings.path.backward}) {
-    if (options.profile.empty()) way->delay_ms = options.delay_ms.value_or(kUsualDelay_ms);
-    way->jitter_ms = options.jitter_ms.value_or(way->jitter_ms);
-    way->loss_percent = options.loss_percent.value_or(way->loss_percent);
+  const auto takeOptions = [&] {
+    for (sim::NetworkSettings* way : {&settings.path.forward, &settings.path.backward}) {
+      if (options.profile.empty()) way->delay_ms = options.delay_ms.value_or(kUsualDelay_ms);
+      way->jitter_ms = options.jitter_ms.value_or(way->jitter_ms);
+      way->loss_percent = options.loss_percent.value_or(way->loss_percent);
+    }
+    if (auto good = sim::checkTeleopRun(settings); !good) throw UsageError(good.error().message);
+  };
+  takeOptions();  // before files are opened
+  if (!options.profile.empty()) {
+    settings.path = networkPath(options.profile, options.seed);
+    takeOptions();
   }
   settings.path.forward.seed = 2 * options.seed;
   settings.path.backward.seed = 2 * options.seed + 1;
-  if (auto good = sim::checkTeleopRun(settings); !good) throw UsageError(good.error().message);
   const NamedTrace named = readTrace(options.trace, options.columns, sim::kLongestRun_s);
   std::vector<sim::TeleopRow> rows;
   const sim::TeleopFigures f = runTeleop(named.trace, settings, options.out.empty() ? nullptr : &rows);
@@ -94,8 +100,8 @@ void runRun(RunOptions options) {
   printValues(json, options.json);
 }
 
-sim::DelayTrace recordedRoundTrips(const std::string& path) {
-  const CsvTable table = valueOrFail(readCsv(path, {"sent_ms", "rtt_ms"}));
+sim::DelayTrace recordedRoundTrips(const std::string& text, const std::string& path) {
+  const CsvTable table = valueOrFail(parseCsv(text, path, {"sent_ms", "rtt_ms"}));
   sim::DelayTrace out;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double t_s = 1e-3 * (table.values[0][row] - table.values[0][0]);
@@ -116,9 +122,10 @@ sim::DelayTrace recordedRoundTrips(const std::string& path) {
 sim::NetworkProfile networkPath(const std::string& name, std::uint64_t seed) {
   sim::NetworkProfile path;
   if (name.ends_with(".csv")) {
-    const CsvTable head = valueOrFail(readCsv(name, {}));
+    const std::string text = readCsvText(name);  // once: a pipe cannot be read again
+    const CsvTable head = valueOrFail(parseCsv(text, name, {}));
     const bool round_trips = std::ranges::find(head.header, "rtt_ms") != head.header.end();
-    path.forward.trace = round_trips ? recordedRoundTrips(name) : valueOrFail(sim::readDelayTrace(name));
+    path.forward.trace = round_trips ? recordedRoundTrips(text, name) : valueOrFail(sim::parseDelayTrace(text, name));
     path.backward.trace = path.forward.trace;
   } else {
     auto known = sim::networkProfile(name);
@@ -154,7 +161,9 @@ void add_teleop(CLI::App& app) {
                   "Send only what differs by so much, % of speed or force; 0: a message each period");
   run->add_option("--wall", options->settings.wall_N_per_m,
                   "Stiffness of a wall across the middle of the far device's first axis, N/m; 0: none");
-  run->add_option("--seed", options->seed, "Seed of jitter and loss")->capture_default_str();
+  run->add_option("--seed", options->seed, "Seed of jitter and loss")
+      ->transform(wholeNumberFrom(0))
+      ->capture_default_str();
   run->add_option("--out", options->out, "Write both devices and forces as CSV, a row a millisecond");
   run->add_flag("--json", options->json, "Result as JSON");
   run->callback([options] { runRun(*options); });

@@ -9,6 +9,7 @@
 #include "app/cli/parts/trace_file.h"
 #include "app/cli/teleop/teleop_cli.h"
 #include "app/cli/teleop/teleop_picture.h"
+#include "core/base/write_target.h"
 #include "core/teleop/prediction/predictor_choice.h"
 
 namespace fyd::cli {
@@ -40,10 +41,14 @@ std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& folder)
   return out;
 }
 
+std::vector<std::filesystem::path> networkFiles(const TableOptions& options) {
+  return csvFiles(std::filesystem::path(options.data) / "network");
+}
+
 std::vector<Network> networks(const TableOptions& options) {
   std::vector<Network> out;
   for (const char* name : {"lan", "isdn", "adsl"}) out.push_back({name, networkPath(name, options.seed)});
-  for (const auto& file : csvFiles(std::filesystem::path(options.data) / "network")) {
+  for (const auto& file : networkFiles(options)) {
     out.push_back({"5g " + file.stem().string(), networkPath(file, options.seed)});
   }
   return out;
@@ -69,6 +74,13 @@ void runTable(const TableOptions& options) {
   }
   if (files.empty()) {
     throw Failure(say("{}: no recordings (CSV files here, in teleop_1dof or in hand_motion)", options.data));
+  }
+  if (!options.out.empty()) {  // judged before the long work
+    std::vector<std::string> inputs;
+    for (const auto& file : files) inputs.push_back(file.string());
+    for (const auto& file : networkFiles(options)) inputs.push_back(file.string());
+    refuseToDestroy(options.out, inputs);
+    if (!isOwnDescriptor(options.out)) static_cast<void>(valueOrFail(writeTargetOf(options.out)));
   }
   std::vector<NamedTrace> traces;
   traces.reserve(files.size());
@@ -122,11 +134,7 @@ void runTable(const TableOptions& options) {
     }
   }
   if (options.json) printJson(rows);
-  if (!options.out.empty()) {
-    std::vector<std::string> inputs;
-    for (const auto& file : files) inputs.push_back(file.string());
-    writeTextFile(options.out, teleopPicture(panels), inputs);
-  }
+  if (!options.out.empty()) writeTextFile(options.out, teleopPicture(panels));
 }
 
 }  // namespace
@@ -138,7 +146,9 @@ void addTeleopTable(CLI::App& teleop) {
   table->add_option("--data", options->data, "Folder of recordings; recorded networks in its folder network")
       ->capture_default_str();
   table->add_option("--seconds", options->seconds, "Of each recording")->capture_default_str();
-  table->add_option("--seed", options->seed, "Seed of jitter and loss")->capture_default_str();
+  table->add_option("--seed", options->seed, "Seed of jitter and loss")
+      ->transform(wholeNumberFrom(0))
+      ->capture_default_str();
   table->add_option("--out", options->out, "Write the table as a picture (SVG)");
   table->add_flag("--json", options->json, "Rows as JSON");
   table->callback([options] { runTable(*options); });

@@ -23,7 +23,7 @@ void identify(const IdentifyOptions& options) {
   const std::string text = texture::formatPlant(found->plant);
   // Parsed before it is written, to check its ranges.
   (void)valueOrFail(texture::parsePlant(text, options.output));
-  writeTextFile(options.output, text, {options.input});
+  writeTextFile(options.output, text, {options.input, options.base});
 
   nlohmann::ordered_json motors = nlohmann::ordered_json::array();
   for (const texture::FoundBreakaway& b : found->breakaway) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/cli/texture/texture_cli.h"
+#include "core/signal/high_pass.h"
 #include "core/texture/method_bank.h"
 #include "core/texture/spectral_match.h"
 
@@ -20,6 +21,7 @@ struct TextureRenderOptions {
   std::string method = "dft321";
   std::string filter = "default";
   double corner_Hz = TextureParameters{}.corner_Hz;
+  bool corner_given = false;
   int frame = 32;
   int hop = 0;
   bool json = false;
@@ -73,12 +75,17 @@ int edgePeriodOf(const TextureRenderOptions& options) {
 }
 
 void render(const TextureRenderOptions& options) {
-  const auto [recording, rate_Hz] = readInput(options.input, options.rate_Hz);
   const int hop = hopOf(options);
-  auto method = makeMethod(choiceOf<MethodChoice>(kMethodNames, options.method), rate_Hz, options.frame, hop);
-  if (!method) throw UsageError(method.error().message);
-  OfflineChain chain(choiceOf<FilterChoice>(kFilterNames, options.filter), options.corner_Hz, rate_Hz,
-                     std::move(*method));
+  const auto choice = choiceOf<MethodChoice>(kMethodNames, options.method);
+  if (auto good = checkFrame(choice, options.frame, hop); !good) throw UsageError(good.error().message);
+  const auto [recording, rate_Hz] = readInput(options.input, options.rate_Hz);
+  const auto filter = choiceOf<FilterChoice>(kFilterNames, options.filter);
+  const double highest_Hz = signal::kHighestCorner * rate_Hz;
+  if (filter == FilterChoice::standard && options.corner_given && options.corner_Hz > highest_Hz) {
+    throw UsageError(say("--corner {} Hz: expected at most {} Hz, {} of the {} samples a second", options.corner_Hz,
+                         highest_Hz, signal::kHighestCorner, rate_Hz));
+  }
+  OfflineChain chain(filter, options.corner_Hz, rate_Hz, valueOrFail(makeMethod(choice, rate_Hz, options.frame, hop)));
   const UniformRecording uniform = valueOrFail(makeUniform(recording, rate_Hz));
   const Rendered rendered = renderAll(uniform.steps, chain, options.frame);
   if (!options.output.empty()) writeSignal(options.output, recording.start_s, rate_Hz, rendered.signal, options.input);
@@ -113,19 +120,24 @@ void addTextureRender(CLI::App& parent) {
   command->add_option("--method", options->method, "How three axes become one")
       ->check(CLI::IsMember(namesOf(kMethodNames)))
       ->capture_default_str();
-  command->add_option("--frame", options->frame, "Samples in a frame of dft321")->capture_default_str();
+  command->add_option("--frame", options->frame, "Samples in a frame of dft321")
+      ->transform(wholeNumberFrom(2, kMaximumFrame))
+      ->capture_default_str();
   command
       ->add_option("--hop", options->hop,
                    "Advance of a frame: the frame (blocks) or a divisor of it; half when left out")
-      ->check(CLI::PositiveNumber);
+      ->transform(wholeNumberFrom(1, kMaximumFrame));
   command->add_option("--filter", options->filter, "High-pass; none also skips the removal of the rest acceleration")
       ->check(CLI::IsMember(namesOf(kFilterNames)))
       ->capture_default_str();
-  command->add_option("--corner", options->corner_Hz, "Corner of the default high-pass, Hz")
-      ->check(numberFrom(1.0, 1e5))
-      ->capture_default_str();
+  CLI::Option* corner = command->add_option("--corner", options->corner_Hz, "Corner of the default high-pass, Hz")
+                            ->check(numberFrom(1.0, 1e5))
+                            ->capture_default_str();
   command->add_flag("--json", options->json, "Figures as JSON");
-  command->callback([options] { render(*options); });
+  command->callback([options, corner] {
+    options->corner_given = corner->count() > 0;
+    render(*options);
+  });
 }
 
 }  // namespace fyd::cli

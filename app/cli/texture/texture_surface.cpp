@@ -98,9 +98,13 @@ void addTextureFit(CLI::App& parent) {
   addInputOptions(*command, options->input, options->rate_Hz);
   command->add_option("-o,--output", options->output, "Model to write (TOML); standard output when left out");
   command->add_option("--name", options->name, "Name of the surface; the file's when left out");
-  command->add_option("--speed", options->speed_mm_s,
-                      "Speed of the stroke, mm/s: the bands then move with the finger; they stay when it is left out");
-  command->add_option("--force", options->force_N, "Force of the stroke, N")->capture_default_str();
+  command
+      ->add_option("--speed", options->speed_mm_s,
+                   "Speed of the stroke, mm/s: the bands then move with the finger; they stay when it is left out")
+      ->check(numberFrom(1.0, 1000.0));
+  command->add_option("--force", options->force_N, "Force of the stroke, N")
+      ->check(numberFrom(0.01, 20.0))
+      ->capture_default_str();
   command->add_flag("--json", options->json, "Figures as JSON");
   command->callback([options] { fit(*options); });
 }
@@ -119,7 +123,9 @@ void addTexturePlay(CLI::App& parent) {
   command->add_option("--duration", options->duration_s, "Length, s")
       ->check(numberFrom(0.0, 3600.0))
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of the surface's noise")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the surface's noise")
+      ->transform(wholeNumberFrom(0))
+      ->capture_default_str();
   command->add_flag("--json", options->json, "Figures as JSON");
   command->callback([options] { play(*options); });
 }

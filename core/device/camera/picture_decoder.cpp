@@ -53,7 +53,7 @@ Result<cv::Mat> decodeJpeg(std::span<const std::uint8_t> bytes, cv::Size expecte
 Result<cv::Mat> readPicture(const std::string& path) {
   const auto refused = [&] { return fail("'{}' is not a picture that can be read", path); };
   const auto text = readWholeFile(path);
-  if (!text) return fail("'{}' is not a picture that can be read", path);
+  if (!text) return tl::unexpected(text.error());
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(text->data()), text->size());
   if (isJpeg(bytes)) {
     auto decoded = decodeJpeg(bytes);
