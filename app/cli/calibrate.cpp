@@ -90,9 +90,12 @@ void calibrateStiffness(const CalibrateOptions& options) {
 }
 
 void calibrateCamera(const CalibrateOptions& options) {
-  CsvTable table = valueOrFail(readCsv(options.samples, {"x_px", "y_px", "x_mm", "y_mm"}));
+  const std::string text = readCsvText(options.samples);  // once: a pipe cannot be read again
+  CsvTable table = valueOrFail(parseCsv(text, options.samples, {"x_px", "y_px", "x_mm", "y_mm"}));
   const bool with_depth = std::ranges::find(table.header, "depth_mm") != table.header.end();
-  if (with_depth) table = valueOrFail(readCsv(options.samples, {"x_px", "y_px", "x_mm", "y_mm", "depth_mm"}));
+  if (with_depth) {
+    table = valueOrFail(parseCsv(text, options.samples, {"x_px", "y_px", "x_mm", "y_mm", "depth_mm"}));
+  }
   const auto found = calibration::calibrateCamera({.x_px = table.values[0],
                                                    .y_px = table.values[1],
                                                    .x_mm = table.values[2],
