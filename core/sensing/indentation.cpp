@@ -18,6 +18,7 @@ constexpr double kStuckTravel_counts = 200.0;    // … while the others went th
 constexpr double kSeenDepthShare = 0.3;          // weight of a new reading: time constant 50 ms
 constexpr double kLowest_mm = -20.0;
 constexpr double kHighest_mm = 100.0;
+constexpr double kLargestSigma_mm = 1e3;
 
 std::uint32_t bitsBelow(std::uint32_t count) { return count >= 32 ? ~0U : (1U << count) - 1U; }
 
@@ -263,7 +264,7 @@ void IndentationEstimator::readFilters(Instant now) {
   const double shape_error = relative_sigma * value;
   const double excess = std::max(1.0, filter_.disagreement());
   estimate_.indentation_mm = std::clamp(value, kLowest_mm, kHighest_mm);
-  estimate_.sigma_mm = std::sqrt(sigma * sigma * excess + shape_error * shape_error);
+  estimate_.sigma_mm = std::min(std::sqrt(sigma * sigma * excess + shape_error * shape_error), kLargestSigma_mm);
   estimate_.available = estimate_.sigma_mm <= parameters_.sigma_limit_mm;
   if (!estimate_.available) {
     estimate_.reason = IndentationReason::uncertain;
@@ -280,7 +281,7 @@ void IndentationEstimator::stepThesis(const FingerDetection& finger) {
   estimate_.indentation_mm = std::clamp(smoother_.update(plane.indentation_mm), kLowest_mm, kHighest_mm);
   // Variance that remains after old·0.8 + new·0.2 of independent readings: 0.2/(2 − 0.2) of one reading's.
   constexpr double kNew = 1.0 - ThesisSmoother::kOldShare;
-  estimate_.sigma_mm = std::min(std::sqrt(plane.variance_mm2 * kNew / (2.0 - kNew)), 1e3);
+  estimate_.sigma_mm = std::min(std::sqrt(plane.variance_mm2 * kNew / (2.0 - kNew)), kLargestSigma_mm);
   estimate_.available = true;
   estimate_.reason =
       usedMask() == bitsBelow(sensor_count_) ? IndentationReason::measured : IndentationReason::some_invalid;
@@ -355,7 +356,7 @@ IndentationEstimate IndentationEstimator::once(const PressReading& press) {
   }
   if (std::isfinite(found.variance_mm2)) {
     estimate_.indentation_mm = std::clamp(found.indentation_mm, kLowest_mm, kHighest_mm);
-    estimate_.sigma_mm = std::min(std::sqrt(found.variance_mm2), 1e3);
+    estimate_.sigma_mm = std::min(std::sqrt(found.variance_mm2), kLargestSigma_mm);
     estimate_.available = estimate_.sigma_mm <= parameters_.sigma_limit_mm;
     estimate_.reason = !estimate_.available                     ? IndentationReason::uncertain
                        : usedMask() == bitsBelow(sensor_count_) ? IndentationReason::measured

@@ -156,11 +156,11 @@ TEST(TeleopRun, TheModelGivesNoEnergyAndNoDragAndTheSpringDoes) {
   auto settings = over(100.0, PredictorChoice::order0);
   settings.wall_N_per_m = 500.0;
   const auto trace = swing(20.0, 0.7, 6.0);
-  const TeleopFigures model = runTeleop(trace, settings, nullptr);
+  // The round trip is more than half a period: the other end comes when the hand has turned, and pulls along with it.
+  const auto quick = swing(20.0, 3.0, 6.0);
+  for (const auto& each : {trace, quick}) EXPECT_GE(runTeleop(each, settings, nullptr).least_energy_J, -1e-3);
   settings.coupling = CouplingChoice::spring;
-  const TeleopFigures spring = runTeleop(trace, settings, nullptr);
-  EXPECT_GE(model.least_energy_J, -1e-3);
-  EXPECT_LT(spring.least_energy_J, -0.005);
+  EXPECT_LT(runTeleop(quick, settings, nullptr).least_energy_J, -0.005);
   settings.wall_N_per_m = 0.0;
   EXPECT_GT(runTeleop(trace, settings, nullptr).drag_N, 0.5);
   settings.coupling = CouplingChoice::model;
