@@ -9,8 +9,8 @@ with fyd.open(sys.argv[1] if len(sys.argv) > 1 else "session.h5") as recording:
     same = recording.replay()
     print(f"as it was: {same.steps} of {same.of} steps, {'the same' if same.identical else 'not the same'} bit for bit, "
           f"{same.speed_x:.0f} times real time")
-    if same.why_not_exact:  # a replay ends at the first step that the recording lost
-        print(f"  {same.why_not_exact}")
+    if same.steps < same.of:  # a replay ends at the first step that the recording lost
+        print(f"  {same.gaps} steps are lost; the replay ends there")
 
     gain = recording.parameters["control.kp"]
     what = fyd.Parameters.info("control.kp")
