@@ -194,7 +194,7 @@ class BadInput(fyd.Case):
             self.assertEqual(file.read(), "mine")
         self.json(*SESSION, "--duration", 1, "--telemetry", kept, "--json")
         with open(kept, encoding="utf-8") as file:
-            self.assertTrue(file.readline().startswith("step,"), "nothing of the old file stays")
+            self.assertTrue(file.readline().startswith("t_s,"), "nothing of the old file stays")
 
 
 class Parameters(fyd.Case):
