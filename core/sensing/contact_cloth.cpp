@@ -10,8 +10,8 @@ namespace fyd::sensing {
 namespace {
 
 // No contact is outside of these; beyond them the fourth powers of ratios are no numbers any more.
-constexpr double kLeastRadius_mm = 0.01;
-constexpr double kLargestRadius_mm = 1e3;
+constexpr double kLeastContact_mm = 0.01;
+constexpr double kLargestContact_mm = 1e3;
 constexpr double kUnknownRadiusSigma = 1.1;  // of ln r: a fingertip looks like 1 to 7 mm
 constexpr double kRadiusSigma_mm = 0.1;      // of the contact's radius from its area
 constexpr double kLeastOwnSigma = 0.006;     // σ of a share's own error with the finger over the sensor
@@ -59,7 +59,7 @@ void ContactCloth::press(const Contact& contact, double indentation_mm) {
   const double deep = std::isfinite(indentation_mm) ? std::clamp(indentation_mm, 0.0, kDeepest_mm) : 0.0;
   const bool known = contact.area_mm2 > 0.0 && std::isfinite(contact.area_mm2);
   const double outer =
-      known ? std::clamp(std::sqrt(contact.area_mm2 / std::numbers::pi), kLeastRadius_mm, kLargestRadius_mm)
+      known ? std::clamp(std::sqrt(contact.area_mm2 / std::numbers::pi), kLeastContact_mm, kLargestContact_mm)
             : unknown_radius_mm_;
   const double inner = known ? radius_share_ * outer : outer;
   const double sigma = known ? math::hypot(radius_share_sigma_, kRadiusSigma_mm / outer) : kUnknownRadiusSigma;
