@@ -32,8 +32,8 @@ def test_looking_at_a_session(session):
     assert len(re.findall(r"^ *[\d.]+ s  \w+  \w+$", text, re.M)) == events
 
 
-def test_comparing_two_gains(session):
-    text = output_of("compare_gains.py", session)
+def test_comparing_two_gains(telling_session):
+    text = output_of("compare_gains.py", telling_session)
     assert "the same bit for bit" in text and "not the same" not in text
     different = [int(each) for each in re.findall(r"(\d+) steps differ", text)]
     assert len(different) == 2 and min(different) > 0
