@@ -1,7 +1,8 @@
 // Records the golden recordings of tests/data/recordings: short sessions of the station on its simulated touchpad, one
-// for each way of working that a recording must outlive. Run by hand only; see tests/data/recordings/README.md.
+// for each way of working that a recording must outlive. Run by hand only; see tests/data/recordings/README.md. But
+// `staircase`, whose touch says how its cloth answers, is too long to be kept: Python's tests record it when they run.
 //
-//   record_golden FOLDER SCENE    writes FOLDER/SCENE.h5 and the profile FOLDER/SCENE.toml
+//   record_golden FOLDER SCENE SURFACE.toml    writes FOLDER/SCENE.h5 and the profile FOLDER/SCENE.toml
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
@@ -40,6 +41,7 @@ struct Scene {
   double silent_to_s = 1e9;
   std::vector<SafetyState> states;  // that the session must pass through, in this order
   bool from_the_start = false;
+  bool real_time = true;
   double duration_s = 1.2;
 };
 
@@ -53,6 +55,19 @@ Act set(double at_s, std::string id, double value) {
 }
 Act note(double at_s, recording::NoteKind kind, std::string text) {
   return {at_s, [=](station::Station& s) { (void)s.note(kind, text); }};
+}
+
+/// A finger that stays, on a cloth whose target goes up and down: the stretch moves, and the stiffness is read all along.
+Scene staircase() {
+  constexpr double kStep_s = 1.2;
+  Scene out{.states = {SafetyState::active}, .real_time = false, .duration_s = 6.0 * kStep_s};
+  out.acts.push_back({0.0, [](station::Station& s) { s.moveSimulatedFinger(0.0, 0.0, 6.0); }});
+  double at_s = 0.0;
+  for (const double target_N_per_mm : {0.62, 0.80, 0.66, 0.75, 0.62, 0.80}) {  // what 6 mm in the middle can do
+    out.acts.push_back(command(at_s, OperatorAction::target_by_hand, target_N_per_mm));
+    at_s += kStep_s;
+  }
+  return out;
 }
 
 std::map<std::string, Scene> scenes(const std::string& surface) {
@@ -95,6 +110,7 @@ std::map<std::string, Scene> scenes(const std::string& surface) {
                       .states = {SafetyState::active}};
   out["frame512"] = {.settings = {{"texture.frame", "512"}}, .states = {SafetyState::active}};
   out["crashed"] = {.states = {SafetyState::active}};
+  out["staircase"] = staircase();
   return out;
 }
 
@@ -107,7 +123,7 @@ std::map<std::string, Scene> scenes(const std::string& surface) {
 std::string record(const std::string& folder, const std::string& name, const Scene& scene) {
   const std::string key_file = folder + "/golden.key";
   station::StationOptions options{
-      .touchpad = "simulated", .robot = scene.robot, .surface = scene.surface, .real_time = true};
+      .touchpad = "simulated", .robot = scene.robot, .surface = scene.surface, .real_time = scene.real_time};
   station::Profile& profile = options.profile;
   const std::vector<Parameter> bound = bindParameters(profile);
   std::vector<std::pair<std::string, std::string>> settings = scene.settings;

@@ -32,8 +32,8 @@ def test_looking_at_a_session(session):
     assert len(re.findall(r"^ *[\d.]+ s  \w+  \w+$", text, re.M)) == events
 
 
-def test_comparing_two_gains(telling_session):
-    text = output_of("compare_gains.py", telling_session)
+def test_comparing_two_gains(staircase):
+    text = output_of("compare_gains.py", staircase)
     assert "the same bit for bit" in text and "not the same" not in text
     different = [int(each) for each in re.findall(r"(\d+) steps differ", text)]
     assert len(different) == 2 and min(different) > 0
@@ -42,9 +42,9 @@ def test_comparing_two_gains(telling_session):
     assert felt[0][1] == felt[1][1] and felt[0][0] != felt[1][0]
 
 
-def test_comparing_two_gains_where_steps_were_lost(session, tmp_path):
+def test_comparing_two_gains_where_steps_were_lost(staircase, tmp_path):
     path = tmp_path / "gap.h5"
-    with changed_copy(session, path, "telemetry") as file:
+    with changed_copy(staircase, path, "telemetry") as file:
         rows = file["telemetry"][:]
         rows["step"][-500:] += 7
         file["telemetry"][:] = rows
@@ -54,7 +54,7 @@ def test_comparing_two_gains_where_steps_were_lost(session, tmp_path):
     text = output_of("compare_gains.py", path)
     assert f"{len(rows) - 500} of {len(rows)} steps, not the same bit for bit" in text and "7 steps are lost" in text
     assert len(re.findall(r"steps differ, stretch off by [\d.]+° RMS", text)) == 2
-    assert len(re.findall(r"  felt: (?:not known: .|.*the force off by [\d.]+ N)", text)) == 2  # a busy computer's may say too little
+    assert len(re.findall(r"the force off by [\d.]+ N", text)) == 2
 
 
 def test_fitting_a_texture():

@@ -42,9 +42,9 @@ def test_another_gain_changes_the_steps(classic):
     assert np.array_equal(same.telemetry["stretch_reference_deg"], classic.telemetry["stretch_reference_deg"])
 
 
-def test_in_a_closed_loop_motors_and_cloth_answer(telling_session):
-    recorded = rows_of(telling_session)
-    with fyd.open(telling_session) as recording:
+def test_in_a_closed_loop_motors_and_cloth_answer(staircase):
+    recorded = rows_of(staircase)
+    with fyd.open(staircase) as recording:
         same = recording.replay(closed_loop=True)
         assert same.identical and same.closed_loop and not same.what_if
         soft = {"control.ki": 0.01, "control.kp": 0.1}
@@ -55,14 +55,14 @@ def test_in_a_closed_loop_motors_and_cloth_answer(telling_session):
 
     assert np.array_equal(fixed.telemetry["force_N"], recorded["force_N"], equal_nan=True)
     assert apart(fixed, "stretch_measured_deg") == 0 and apart(fixed, "stretch_reference_deg") > 0
-    assert apart(loop, "stretch_measured_deg") > 0.1 and apart(loop, "force_N") > 0.001
+    assert apart(loop, "stretch_measured_deg") > 1 and apart(loop, "force_N") > 0.01
     # The finger presses as deep as it did; the force's part in the estimated depth moves it a little.
     assert apart(loop, "indentation_mm") < 0.02 * np.nanmax(recorded["indentation_mm"])
 
 
-def test_the_stiffness_error_is_the_columns_rms(telling_session):
-    recorded = rows_of(telling_session)
-    with fyd.open(telling_session) as recording:
+def test_the_stiffness_error_is_the_columns_rms(staircase):
+    recorded = rows_of(staircase)
+    with fyd.open(staircase) as recording:
         loop = recording.replay({"control.kp": 3}, closed_loop=True)
     for percent, columns in ((loop.stiffness_error_recorded_percent, recorded),
                              (loop.stiffness_error_replayed_percent, loop.telemetry)):
