@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 bool isRecording(const std::string& path) { return path.ends_with(".h5") || path.ends_with(".h5.partial"); }
 
 /// One folder's recordings; the folders in it go to `below`.
-void list(const std::string& folder, FoundRecordings& out, std::vector<std::string>& below) {
+/// @return why it could not be read to its end
+std::error_code list(const std::string& folder, FoundRecordings& out, std::vector<std::string>& below) {
   std::error_code error;
   fs::directory_iterator item(folder, error);
   for (; !error && item != fs::directory_iterator(); item.increment(error)) {
@@ -29,7 +30,7 @@ void list(const std::string& folder, FoundRecordings& out, std::vector<std::stri
     }
   }
   const bool none = error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
-  if (error && !none) out.problems.push_back(about(folder, systemReason(error)));
+  return none ? std::error_code() : error;
 }
 
 }  // namespace
@@ -59,7 +60,10 @@ FoundRecordings recordingsIn(const std::string& folder, bool deep) {
     const std::string next = std::move(waiting.back());
     waiting.pop_back();
     std::vector<std::string> below;
-    list(next, out, below);
+    const std::error_code unread = list(next, out, below);
+    // Every disk has a lost+found, which is the system's alone.
+    const bool private_below = next != absolute && unread == std::errc::permission_denied;
+    if (unread && !private_below) out.problems.push_back(about(next, systemReason(unread)));
     if (deep) waiting.insert(waiting.end(), below.begin(), below.end());
   }
   std::ranges::sort(out.files);

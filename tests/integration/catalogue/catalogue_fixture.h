@@ -97,4 +97,12 @@ inline bool succeeded(pid_t child) {
   return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+/// Runs in a process without root's privileges, as root may read and write anywhere.
+inline bool unprivileged(const std::function<bool()>& work) {
+  return succeeded(inProcess([&] {
+    if (geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) return false;
+    return work();
+  }));
+}
+
 }  // namespace fyd::catalogue

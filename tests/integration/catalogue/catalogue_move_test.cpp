@@ -50,13 +50,6 @@ class ArchiveMove : public CatalogueFolder {
     writeText(source, content);
     fs::create_directory(target);
   }
-  /// Runs in a process without root's privileges, as root may write anywhere.
-  static bool unprivileged(const std::function<bool()>& work) {
-    return succeeded(inProcess([&] {
-      if (geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) return false;
-      return work();
-    }));
-  }
   [[nodiscard]] std::vector<std::string> stored() const {
     std::vector<std::string> out;
     for (const auto& item : fs::directory_iterator(target)) out.push_back(item.path().filename());

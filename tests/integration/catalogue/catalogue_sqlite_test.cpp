@@ -278,6 +278,18 @@ TEST_F(SqliteCatalogue, AFolderThatCannotBeListedCostsOnlyWhatIsInIt) {
   EXPECT_STREQ(toString(catalogue->checkFiles(readMadeUp)->front().kind), "missing");
 }
 
+TEST_F(SqliteCatalogue, WhatIsTheSystemsAloneIsNoFolderOfRecordings) {
+  writeText(path("data/a.h5"), "aaaa");
+  fs::create_directory(path("data/lost+found"));
+  fs::permissions(path("data/lost+found"), fs::perms::none);
+  fs::permissions(folder_, fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  EXPECT_TRUE(unprivileged([&] {
+    const FoundRecordings disk = recordingsIn(path("data"), true);
+    const FoundRecordings asked = recordingsIn(path("data/lost+found"), true);
+    return disk.files.size() == 1 && disk.problems.empty() && asked.files.empty() && asked.problems.size() == 1;
+  }));
+}
+
 TEST_F(SqliteCatalogue, APathThatCannotBeAskedForIsAnError) {
   const auto damaged = isDamaged(path(std::string(300, 'x')));
   ASSERT_FALSE(damaged);
