@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 
+import check_main
+
 MODULES = ("base", "signal", "sensing", "control", "texture", "teleop", "scene", "pipeline")
 # What a replay does not compute again: the finger's detection and a file's mesh are inputs; test signals are for benches.
 OUTSIDE = {"finger_adaptive.cpp.o", "finger_detector.cpp.o", "finger_thesis.cpp.o", "blob_measure.cpp.o",
@@ -59,8 +61,4 @@ def self_test(nm, compiler):
 
 if __name__ == "__main__":
     self_test(sys.argv[1], sys.argv[2])
-    failures = problems(sys.argv[1], sys.argv[3:])
-    for failure in failures:
-        print(failure)
-    print(f"0 passed, {len(failures)} failed" if failures else "1 passed, 0 failed")
-    sys.exit(1 if failures else 0)
+    check_main.end(problems(sys.argv[1], sys.argv[3:]))

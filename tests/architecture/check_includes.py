@@ -12,6 +12,8 @@ import re
 import sys
 import tempfile
 
+import check_main
+
 RANKS = [
     ["core/base"],
     ["core/signal"],
@@ -190,8 +192,4 @@ def self_test():
 
 
 if __name__ == "__main__":
-    failures = self_test() if sys.argv[1] == "--self-test" else problems(pathlib.Path(sys.argv[1]))
-    for failure in failures:
-        print(failure)
-    print(f"0 passed, {len(failures)} failed" if failures else "1 passed, 0 failed")
-    sys.exit(1 if failures else 0)
+    check_main.end(self_test() if sys.argv[1] == "--self-test" else problems(pathlib.Path(sys.argv[1])))
