@@ -130,8 +130,7 @@ Table bench_recorder() {
       .notes = {
           "Pushes at 1 kHz from a simulated session with one acceleration a step; copy and push take turns in going "
           "first, and each is timed only there, where the step is not in the cache yet. The station runs some seconds "
-          "each "
-          "way, with pictures. What the recorder's thread takes while it does not record is the second "
+          "each way, with pictures. What the recorder's thread takes while it does not record is the second "
           "pipeline that follows the step. The first seconds, in which the file is made, count as well."}};
 }
 

@@ -71,7 +71,8 @@ TEST_F(MotorsOff, AMotorBoardThatRestartedGetsItsWatchdogBeforeItIsSwitchedOn) {
 // A board without a watchdog at the end of a line that loses what the test says.
 class BoardOnABadLine {
  public:
-  explicit BoardOnABadLine(PseudoTerminal line) : line_(std::move(line)) {
+  /// @param path of the line's end, as a motor board's
+  explicit BoardOnABadLine(const std::string& path) : line_(PseudoTerminal::open(path).value()) {
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   }
   std::atomic<bool> on{false};
@@ -121,9 +122,7 @@ class BoardOnABadLine {
 };
 
 TEST_F(MotorsOff, AMotorBoardIsToldAgainUntilItSaysThatItIsOff) {
-  auto line = PseudoTerminal::open(folder.file("board"));
-  ASSERT_TRUE(line) << line.error().text();
-  BoardOnABadLine board(std::move(*line));
+  BoardOnABadLine board(folder.file("board"));
   device::QbmoveMotors motors(folder.file("board"), parameters);
   ASSERT_TRUE(motors.exchange({}));
   ASSERT_TRUE(motors.exchange({.active = true}));
@@ -140,9 +139,7 @@ TEST_F(MotorsOff, AMotorBoardIsToldAgainUntilItSaysThatItIsOff) {
 
 TEST_F(MotorsOff, AMotorBoardThatIsHeardNoMoreIsSwitchedOffAllTheSame) {
   parameters.qbmove_timeout_ms = 20.0;
-  auto line = PseudoTerminal::open(folder.file("board"));
-  ASSERT_TRUE(line) << line.error().text();
-  BoardOnABadLine board(std::move(*line));
+  BoardOnABadLine board(folder.file("board"));
   device::QbmoveMotors motors(folder.file("board"), parameters);
   for (int i = 0; i < 50 && !motors.exchange({}); ++i) continue;  // a slow machine's answers come late
   for (int i = 0; i < 50 && !board.on; ++i) {
@@ -157,9 +154,7 @@ TEST_F(MotorsOff, AMotorBoardThatIsHeardNoMoreIsSwitchedOffAllTheSame) {
 }
 
 TEST_F(MotorsOff, WhyAMotorBoardIsOffIsKnownUntilItIsSwitchedOnAgain) {
-  auto line = PseudoTerminal::open(folder.file("board"));
-  ASSERT_TRUE(line) << line.error().text();
-  BoardOnABadLine board(std::move(*line));
+  BoardOnABadLine board(folder.file("board"));
   device::QbmoveMotors motors(folder.file("board"), parameters);
   ASSERT_TRUE(motors.exchange({}));
   ASSERT_TRUE(motors.exchange({.active = true}));
