@@ -77,12 +77,15 @@ Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const doubl
                               const FitConditions& conditions) {
   const std::size_t count = std::min({x_g.size(), y_g.size(), z_g.size()});
   if (count < kShortest) return fail("recording of {} samples: expected at least {}", count, kShortest);
-  if (!(conditions.force_N >= 0.01 && conditions.force_N <= 20.0)) {
-    return fail("force = {} N: expected 0.01 … 20", conditions.force_N);
+  using C = FitConditions;
+  const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
+  if (!within(conditions.force_N, C::kLeastForce_N, C::kLargestForce_N)) {
+    return fail("force = {} N: expected {} … {}", conditions.force_N, C::kLeastForce_N, C::kLargestForce_N);
   }
-  const bool moving = conditions.speed_mm_s > 0.0;
-  if (moving ? !(conditions.speed_mm_s >= 1.0 && conditions.speed_mm_s <= 1000.0) : conditions.speed_mm_s != 0.0) {
-    return fail("speed = {} mm/s: expected 1 … 1000, or none when it is unknown", conditions.speed_mm_s);
+  const bool moving = conditions.speed_mm_s != 0.0;
+  if (moving && !within(conditions.speed_mm_s, C::kSlowest_mm_s, C::kFastest_mm_s)) {
+    return fail("speed = {} mm/s: expected {} … {}, or none when it is unknown", conditions.speed_mm_s,
+                C::kSlowest_mm_s, C::kFastest_mm_s);
   }
   const double rate_Hz = conditions.sample_rate_Hz;
   const int segment = count >= 2048 ? 512 : static_cast<int>(kShortest);

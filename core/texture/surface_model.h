@@ -48,6 +48,8 @@ struct SurfaceFit {
 };
 
 struct FitConditions {
+  static constexpr double kSlowest_mm_s = 1.0, kFastest_mm_s = 1000.0;
+  static constexpr double kLeastForce_N = 0.01, kLargestForce_N = 20.0;
   std::string name;
   double sample_rate_Hz = 1000.0;
   double speed_mm_s = 0.0;  ///< of the finger in the recording; 0: unknown, the bands then stay at fixed frequencies

@@ -6618,8 +6618,8 @@ Pour commencer : %1</translation>
         <translation>force</translation>
     </message>
     <message>
-        <source>force = {} N: expected 0.01 … 20</source>
-        <translation>force = {} N : attendu 0.01 … 20</translation>
+        <source>force = {} N: expected {} … {}</source>
+        <translation>force = {} N : attendu {} … {}</translation>
     </message>
     <message>
         <source>force too small</source>
@@ -8002,8 +8002,8 @@ Pour commencer : %1</translation>
         <translation>continu</translation>
     </message>
     <message>
-        <source>speed = {} mm/s: expected 1 … 1000, or none when it is unknown</source>
-        <translation>speed = {} mm/s : attendu 1 … 1000, ou rien si elle est inconnue</translation>
+        <source>speed = {} mm/s: expected {} … {}, or none when it is unknown</source>
+        <translation>speed = {} mm/s : attendu {} … {}, ou rien si elle est inconnue</translation>
     </message>
     <message>
         <source>speed limit {} mm/s: expected 1 to 1000</source>
@@ -9550,6 +9550,10 @@ Pour commencer : %1</translation>
         <translation>{} : fait par une version plus récente de ce programme (tables {}, celui-ci connaît {})</translation>
     </message>
     <message>
+        <source>{}: mend that, then arm again</source>
+        <translation>{} : y remédier, puis armer de nouveau</translation>
+    </message>
+    <message>
         <source>{}: name of {} bytes: expected 1 to {} that can be printed</source>
         <translation>{} : name de {} octets : de 1 à {} imprimables attendus</translation>
     </message>
@@ -9804,10 +9808,6 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: speed = {}: expected {} to {}</source>
         <translation>{} : speed = {} : attendu de {} à {}</translation>
-    </message>
-    <message>
-        <source>{}: mend that, then arm again</source>
-        <translation>{} : y remédier, puis armer de nouveau</translation>
     </message>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>

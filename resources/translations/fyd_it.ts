@@ -6618,8 +6618,8 @@ Per cominciare: %1</translation>
         <translation>forza</translation>
     </message>
     <message>
-        <source>force = {} N: expected 0.01 … 20</source>
-        <translation>force = {} N: atteso 0.01 … 20</translation>
+        <source>force = {} N: expected {} … {}</source>
+        <translation>force = {} N: atteso {} … {}</translation>
     </message>
     <message>
         <source>force too small</source>
@@ -8002,8 +8002,8 @@ Per cominciare: %1</translation>
         <translation>continua</translation>
     </message>
     <message>
-        <source>speed = {} mm/s: expected 1 … 1000, or none when it is unknown</source>
-        <translation>speed = {} mm/s: atteso 1 … 1000, o nulla se è ignota</translation>
+        <source>speed = {} mm/s: expected {} … {}, or none when it is unknown</source>
+        <translation>speed = {} mm/s: atteso {} … {}, o nulla se è ignota</translation>
     </message>
     <message>
         <source>speed limit {} mm/s: expected 1 to 1000</source>
@@ -9115,7 +9115,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{} s from the first row to the last; expected at most {}: are the times in seconds?</source>
-        <translation>{} s dalla prima riga all&apos;ultima; attesi al massimo {}: i tempi sono in secondi?</translation>
+        <translation>{} s dalla prima riga all'ultima; attesi al massimo {}: i tempi sono in secondi?</translation>
     </message>
     <message>
         <source>{} samples; expected at least {}: wait longer</source>
@@ -9550,6 +9550,10 @@ Per cominciare: %1</translation>
         <translation>{}: creato da una versione più nuova di questo programma (tabelle {}, questo conosce {})</translation>
     </message>
     <message>
+        <source>{}: mend that, then arm again</source>
+        <translation>{}: porvi rimedio, poi armare di nuovo</translation>
+    </message>
+    <message>
         <source>{}: name of {} bytes: expected 1 to {} that can be printed</source>
         <translation>{}: name di {} byte: attesi da 1 a {} stampabili</translation>
     </message>
@@ -9804,10 +9808,6 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: speed = {}: expected {} to {}</source>
         <translation>{}: speed = {}: atteso da {} a {}</translation>
-    </message>
-    <message>
-        <source>{}: mend that, then arm again</source>
-        <translation>{}: porvi rimedio, poi armare di nuovo</translation>
     </message>
     <message>
         <source>{}: stored, but the source cannot be removed: {}; it is whole in both places</source>

@@ -6,6 +6,7 @@
 #include "app/cli/sim/sim_touchpad.h"
 #include "core/base/end_signals.h"
 #include "core/device/serial_port.h"
+#include "core/device/touchpad/modbus_link.h"
 #include "core/protocol/registers/register_map.h"
 #include "core/sim/gesture_card.h"
 #include "core/sim/server/touchpad_process.h"
@@ -114,7 +115,10 @@ void addSimTouchpad(CLI::App& sim) {
       ->transform(wholeNumberFrom(0, 255));
   command->add_option("--camera-mjpeg", options->camera_mjpeg, "Serve the camera there as MJPEG at /, HOST:PORT");
   command->add_option("--serial", options->serial, "Serial number that it tells; default: FYD-SIM-0001")
-      ->check([](const std::string& text) { return text.size() <= 16 ? "" : "expected at most 16 characters"; });
+      ->check([](const std::string& text) {
+        const bool fits = text.size() <= device::kLongestSerial;
+        return fits ? std::string() : fmt::format("expected at most {} characters", device::kLongestSerial);
+      });
   command->add_option("--finger", options->finger, "Recording the finger follows (columns t_s,x_mm,y_mm,z_mm)");
   command->add_option("--seed", process.parameters.seed, "Seed of its noise")
       ->transform(wholeNumberFrom(0, 1'000'000'000));

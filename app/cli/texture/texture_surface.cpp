@@ -101,9 +101,9 @@ void addTextureFit(CLI::App& parent) {
   command
       ->add_option("--speed", options->speed_mm_s,
                    "Speed of the stroke, mm/s: the bands then move with the finger; they stay when it is left out")
-      ->check(numberFrom(1.0, 1000.0));
+      ->check(numberFrom(texture::FitConditions::kSlowest_mm_s, texture::FitConditions::kFastest_mm_s));
   command->add_option("--force", options->force_N, "Force of the stroke, N")
-      ->check(numberFrom(0.01, 20.0))
+      ->check(numberFrom(texture::FitConditions::kLeastForce_N, texture::FitConditions::kLargestForce_N))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Figures as JSON");
   command->callback([options] { fit(*options); });
