@@ -5,24 +5,16 @@ A box is a folder, a row a rank of tests/architecture/check_includes.py. An arro
 one that follows from others (a uses b, b uses c) is left out, so that the picture can be read.
 """
 import functools
-import importlib.util
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "tests/architecture"))
+import check_includes as RULES  # noqa: E402 - its folder is known only now
+
 WIDTH, ROW, BOX, HIGH, LEFT = 980, 62, 112, 30, 96
 FLOORS = [("app", "#dfe7f5", "programs"), ("widgets", "#dfe7f5", "Qt widgets"), ("core/station", "#f6e3cf", "decides when"),
           ("core/report", "#e4efdc", "talks to the world"), ("core/pipeline", "#f3f0d8", "computes"), ("core/signal", "#ececec", "")]
-
-
-def load_rules():
-    place = ROOT / "tests/architecture/check_includes.py"
-    rules = importlib.util.module_from_spec(spec := importlib.util.spec_from_file_location("rules", place))
-    spec.loader.exec_module(rules)
-    return rules
-
-
-RULES = load_rules()
 
 
 @functools.cache
