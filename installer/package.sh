@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the Debian packages into build/package/packages; fyd-console-dbg has the debug symbols.
-# --check: afterwards builds the last commit once more, in another folder and without a compiler cache, and fails when a
-#          byte of a package differs.
+# --check: afterwards lets lintian judge them, builds the last commit once more, in another folder and without a compiler
+#          cache, and fails when a byte of a package differs.
 # Times in the packages are SOURCE_DATE_EPOCH, or those of the last commit.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
@@ -36,6 +36,10 @@ build package
 pack "$root"
 (cd "$root/build/package/packages" && ls -sh --block-size=KiB)
 [ -n "$check" ] || exit 0
+
+install_packages test
+say "No error and no warning of lintian"
+(cd "$root/build/package/packages" && lintian --allow-root --fail-on error,warning -- *.deb)
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
