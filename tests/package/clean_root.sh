@@ -57,6 +57,7 @@ quietly apt-get update
 needs=$(for each in /packages/new/*.deb; do dpkg-deb -f "$each" Depends; done | tr ',' '\n' | sed 's/^ *//; /^$/d' |
   grep -vE "^($(echo $names | tr ' ' '|')) " | sort -u | paste -sd,)
 quietly apt-get satisfy -y --no-install-recommends "$needs"
+quietly apt-get install -y --no-install-recommends udev mount  # the rules are read, below
 useradd --create-home person
 everything >/tmp/before
 
@@ -90,6 +91,12 @@ case " $* " in *" python3-fyd "*) python3 -c "import fyd; print(fyd.open('sessio
 SESSION
 su person -c "bash /tmp/session.sh $(echo $names)"
 expect "$(ldconfig -p | grep -c libfyd.so.0)" 1 "libfyd.so.0 known to the loader"
+
+say "udev reads the rules"
+mount -t sysfs sysfs /sys
+udevadm test /sys/class/net/lo >/tmp/udev 2>&1
+expect "$(grep -o '[^ ]*/rules\.d/70-fyd-touchpad\.rules.*' /tmp/udev)" /usr/lib/udev/rules.d/70-fyd-touchpad.rules "what udev says of the rules"
+umount /sys
 
 say "Removing"
 quietly apt-get remove -y $names
