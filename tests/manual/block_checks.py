@@ -257,7 +257,7 @@ def core_command(build):
 
 
 def check_example(code, what, root):
-    """The block is a file that the build compiles and a test runs (resources/manual/CMakeLists.txt)."""
+    """The block is a file that the build compiles and a test runs (tests/manual/CMakeLists.txt)."""
     path = Path(root) / "resources/manual" / what
     if not path.is_file():
         raise Broken(f"there is no {what} in resources/manual")
