@@ -73,6 +73,8 @@ struct LinkFigures {
   std::uint64_t touches = 0;  ///< to the robot
   std::uint64_t refused = 0;  ///< datagrams counted and not used
   std::uint64_t lost = 0;     ///< times the link was declared lost
+  /// The robot's, each of which measures the round trip anew (FYD Link only).
+  std::uint64_t heartbeats = 0;
   double silence_ms = kUnknown;
   double period_ms = kUnknown;  ///< between states
   double jitter_ms = kUnknown;

@@ -20,9 +20,12 @@ constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
 
 }  // namespace
 
-double NeededDelay::add(double sample_delay_ms) {
-  needed_ms_[next_++ % kValues] =
-      std::isfinite(sample_delay_ms) ? kDelayStep_ms * std::ceil(sample_delay_ms / kDelayStep_ms) : 0.0;
+double NeededDelay::add(const protocol::LinkFigures& figures) {
+  if (figures.heartbeats != heartbeats_) {
+    heartbeats_ = figures.heartbeats;
+    const double needed_ms = kDelayStep_ms * std::ceil(figures.sample_delay_ms / kDelayStep_ms);
+    needed_ms_[next_++ % kValues] = std::isfinite(needed_ms) ? needed_ms : 0.0;
+  }
   return *std::ranges::min_element(needed_ms_);
 }
 
@@ -151,7 +154,7 @@ void LinkThread::take(const protocol::TouchpadReception& reception, Instant now)
 
 void LinkThread::publish(Instant now) {
   const protocol::LinkFigures figures = end_->figures(now);
-  newest_.sample_delay_ms = needed_delay_.add(figures.sample_delay_ms);
+  newest_.sample_delay_ms = needed_delay_.add(figures);
   const std::lock_guard lock(status_mutex_);
   status_.peer = end_->peer() ? protocol::toString(*end_->peer()) : "";
   status_.states_received = figures.states;

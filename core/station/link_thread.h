@@ -41,19 +41,21 @@ struct LinkSnapshot {
 };
 
 /// How long the texture is to wait for accelerations. A wait that is raised stays, so one late moment must not raise it:
-/// the result is the least of what the last second's values ask for, in coarse steps, so that small changes of the
-/// network's delay are not followed.
+/// the result is the least of what a second's values ask for, in coarse steps, so that small changes of the network's
+/// delay are not followed. A value that no heartbeat has renewed is no new evidence: while the robot is silent, the last
+/// moment before it would count for a second.
 class NeededDelay {
  public:
   static constexpr std::size_t kValues = 20;
   static constexpr Duration kPeriod = std::chrono::milliseconds(50);  ///< between two values
   static_assert(kValues * kPeriod == std::chrono::seconds(1));
 
-  /// @param sample_delay_ms NaN: unknown, 0 is needed
+  /// @param figures whose sample_delay_ms is NaN: unknown, 0 is needed
   /// @return 0 until there has been a second of values
-  [[nodiscard]] double add(double sample_delay_ms);
+  [[nodiscard]] double add(const protocol::LinkFigures& figures);
 
  private:
+  std::uint64_t heartbeats_ = 0;
   std::array<double, kValues> needed_ms_{};
   std::size_t next_ = 0;
 };

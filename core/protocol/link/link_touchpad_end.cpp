@@ -251,7 +251,10 @@ std::span<const Datagram> LinkTouchpadEnd::farewell(Instant now) {
 }
 
 LinkFigures LinkTouchpadEnd::figures(Instant /*now*/) const {
-  LinkFigures out{.states = counters_.states, .touches = counters_.touches, .lost = counters_.lost};
+  LinkFigures out{.states = counters_.states,
+                  .touches = counters_.touches,
+                  .lost = counters_.lost,
+                  .heartbeats = counters_.heartbeats};
   for (std::size_t i = 1; i < kLinkRefusalCount; ++i) {
     if (refusals_[i] == 0) continue;
     out.refused += refusals_[i];

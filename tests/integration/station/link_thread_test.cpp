@@ -111,9 +111,9 @@ TEST(NeededDelay, OneLateMomentOfTheNetworkRaisesNothingAndAWorseNetworkDoes) {
   const auto run = [&](double seconds) {
     for (int i = 0; i < static_cast<int>(std::lround(20.0 * seconds)); ++i) {
       pair.run(0.05);
-      const double figure_ms = pair.touchpad.figures(pair.now).sample_delay_ms;
-      told_ms = needed.add(figure_ms);
-      most_ms = std::max(most_ms, figure_ms);
+      const protocol::LinkFigures figures = pair.touchpad.figures(pair.now);
+      told_ms = needed.add(figures);
+      most_ms = std::max(most_ms, figures.sample_delay_ms);
       most_told_ms = std::max(most_told_ms, told_ms);
     }
   };
@@ -130,6 +130,17 @@ TEST(NeededDelay, OneLateMomentOfTheNetworkRaisesNothingAndAWorseNetworkDoes) {
   pair.weather.delay_ms = 1.0;
   run(5.0);
   EXPECT_GT(most_ms, 100.0);
+  EXPECT_EQ(most_told_ms, usual_ms);
+  pair.weather.delay_ms = 400.0;  // for the last heartbeat before an outage
+  pair.run(0.01);
+  pair.cut = true;
+  run(3.0);
+  EXPECT_GT(pair.touchpad.figures(pair.now).sample_delay_ms, 100.0) << "the last that is known";
+  EXPECT_NE(pair.touchpad.phase(), LinkPhase::running);
+  pair.weather.delay_ms = 1.0;
+  pair.cut = false;
+  ASSERT_TRUE(pair.connect());
+  run(5.0);
   EXPECT_EQ(most_told_ms, usual_ms);
   pair.weather.delay_ms = 40.0;
   run(3.0);
