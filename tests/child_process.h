@@ -9,6 +9,13 @@
 
 namespace fyd {
 
+/// In a child: it ends with `parent`, however that ends. To be asked for again after a change of user, with which the
+/// kernel forgets it.
+inline void endWithParent(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(1);  // it ended before it could be asked for
+}
+
 /// Runs something in a child process. The child ends with this object, and with this process however that ends.
 class ChildProcess {
  public:
@@ -18,8 +25,7 @@ class ChildProcess {
     const pid_t parent = ::getpid();
     id_ = ::fork();
     if (id_ != 0) return;
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(1);  // it ended before it could be asked for
+    endWithParent(parent);  // PR_SET_PDEATHSIG
     ::_exit(work());
   }
   ~ChildProcess() { (void)kill(); }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "core/base/system_reason.h"
@@ -12,6 +14,15 @@ namespace fyd::catalogue {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Folders of the operating system, found on many disks: nobody keeps recordings there.
+constexpr std::string_view kSystemFolders[] = {"lost+found", "System Volume Information", "$RECYCLE.BIN"};
+constexpr std::string_view kWasteOfAUser = ".Trash-";  // and the user's number
+
+bool isTheSystems(const std::string& folder) {
+  const std::string name = fs::path(folder).filename();
+  return name.starts_with(kWasteOfAUser) || std::ranges::find(kSystemFolders, name) != std::end(kSystemFolders);
+}
 
 bool isRecording(const std::string& path) { return path.ends_with(".h5") || path.ends_with(".h5.partial"); }
 
@@ -61,9 +72,8 @@ FoundRecordings recordingsIn(const std::string& folder, bool deep) {
     waiting.pop_back();
     std::vector<std::string> below;
     const std::error_code unread = list(next, out, below);
-    // Every disk has a lost+found, which is the system's alone.
-    const bool private_below = next != absolute && unread == std::errc::permission_denied;
-    if (unread && !private_below) out.problems.push_back(about(next, systemReason(unread)));
+    const bool left_out = next != absolute && unread == std::errc::permission_denied && isTheSystems(next);
+    if (unread && !left_out) out.problems.push_back(about(next, systemReason(unread)));
     if (deep) waiting.insert(waiting.end(), below.begin(), below.end());
   }
   std::ranges::sort(out.files);

@@ -25,8 +25,8 @@ struct FoundRecordings {
   std::vector<Message> problems;   ///< "folder: why", of each that could not be read to its end
 };
 
-/// Links to folders are not followed; a folder that does not exist holds nothing, and what this user may not list below
-/// it is left out.
+/// Links to folders are not followed; a folder that does not exist holds nothing. Folders below it that are the
+/// system's, such as lost+found, are left out where this user may not list them.
 /// @param deep also in the folders below
 [[nodiscard]] FoundRecordings recordingsIn(const std::string& folder, bool deep);
 

@@ -3,21 +3,26 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <initializer_list>
 #include <iterator>
+#include <vector>
 
 #include "core/catalogue/catalogue.h"
 #include "core/catalogue/catalogue_address.h"
 #include "core/catalogue/catalogue_scan.h"
+#include "tests/child_process.h"
 
 namespace fyd::catalogue {
+
+inline bool unprivileged(const std::function<bool()>& work);
 
 /// A temporary folder which is also this user's $XDG_DATA_HOME.
 class CatalogueFolder : public testing::Test {
@@ -30,12 +35,37 @@ class CatalogueFolder : public testing::Test {
   ~CatalogueFolder() override {
     unsetenv("XDG_DATA_HOME");
     std::error_code ignored;
+    for (const auto& shut : shut_) {
+      std::filesystem::permissions(shut, std::filesystem::perms::owner_all, ignored);
+    }
     std::filesystem::permissions(folder_, std::filesystem::perms::owner_all, ignored);
     std::filesystem::remove_all(folder_, ignored);
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
+  /// A folder that nobody but root may look into, until the test ends.
+  void makeShutFolder(const std::string& name) {
+    shut_.push_back(folder_ / name);
+    std::filesystem::create_directories(shut_.back());
+    std::filesystem::permissions(shut_.back(), std::filesystem::perms::none);
+  }
+
+  /// Lets others read these files and folders of `folder_`. @return whether they can reach them
+  [[nodiscard]] bool openToOthers(std::initializer_list<const char*> names) const {
+    using std::filesystem::perms;
+    for (const char* name : names) {
+      std::filesystem::permissions(folder_ / name, perms::others_read | perms::others_exec,
+                                   std::filesystem::perm_options::add);
+    }
+    return unprivileged([&] {
+      return std::ranges::all_of(names, [&](const char* name) { return access(path(name).c_str(), R_OK | X_OK) == 0; });
+    });
+  }
+
   std::filesystem::path folder_;
+
+ private:
+  std::vector<std::filesystem::path> shut_;
 };
 
 inline CatalogueEntry entryOf(const std::string& id) {
@@ -84,9 +114,10 @@ inline Result<CatalogueEntry> readMadeUp(const std::string& path) {
 
 /// Runs `work` in a child process, which ends with this one at the latest. @return its process id
 inline pid_t inProcess(const std::function<bool()>& work) {
+  const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    endWithParent(parent);  // PR_SET_PDEATHSIG
     _exit(work() ? 0 : 1);
   }
   return child;
@@ -99,8 +130,10 @@ inline bool succeeded(pid_t child) {
 
 /// Runs in a process without root's privileges, as root may read and write anywhere.
 inline bool unprivileged(const std::function<bool()>& work) {
+  const pid_t parent = getpid();
   return succeeded(inProcess([&] {
     if (geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0)) return false;
+    endWithParent(parent);
     return work();
   }));
 }

@@ -169,6 +169,7 @@ TEST_F(ArchiveMove, AFolderThatMayNotBeWrittenKeepsTheSource) {
   fs::permissions(folder_, fs::perms::all);
   fs::permissions(target,
                   fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
+  if (!openToOthers({"", "share", "a.h5"})) GTEST_SKIP() << folder_ << " is in a folder that others may not enter";
   EXPECT_TRUE(unprivileged([&] {
     const auto moved = moveFile(source, target, kAccept);
     return !moved && moved.error().text().find("cannot be written") != std::string::npos;

@@ -280,13 +280,23 @@ TEST_F(SqliteCatalogue, AFolderThatCannotBeListedCostsOnlyWhatIsInIt) {
 
 TEST_F(SqliteCatalogue, WhatIsTheSystemsAloneIsNoFolderOfRecordings) {
   writeText(path("data/a.h5"), "aaaa");
-  fs::create_directory(path("data/lost+found"));
-  fs::permissions(path("data/lost+found"), fs::perms::none);
-  fs::permissions(folder_, fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  for (const char* name : {"data/lost+found", "data/.Trash-1001", "data/deep/lost+found"}) makeShutFolder(name);
+  if (!openToOthers({"", "data", "data/deep"})) GTEST_SKIP() << folder_ << " is in a folder that others may not enter";
   EXPECT_TRUE(unprivileged([&] {
     const FoundRecordings disk = recordingsIn(path("data"), true);
     const FoundRecordings asked = recordingsIn(path("data/lost+found"), true);
     return disk.files.size() == 1 && disk.problems.empty() && asked.files.empty() && asked.problems.size() == 1;
+  }));
+}
+
+TEST_F(SqliteCatalogue, AnotherUsersFolderIsNamed) {
+  writeText(path("data/a.h5"), "aaaa");
+  makeShutFolder("data/anna");
+  if (!openToOthers({"", "data"})) GTEST_SKIP() << folder_ << " is in a folder that others may not enter";
+  EXPECT_TRUE(unprivileged([&] {
+    const FoundRecordings disk = recordingsIn(path("data"), true);
+    return disk.files.size() == 1 && disk.problems.size() == 1 &&
+           disk.problems[0].text().ends_with("anna: Permission denied");
   }));
 }
 
