@@ -10,11 +10,12 @@ PartMonitor::PartMonitor(Part part, Message description, Duration longest_silenc
       longest_silence_(longest_silence),
       waiting_(std::move(waiting)) {}
 
-bool PartMonitor::succeeded(Instant taken, const Message& complaint) {
+bool PartMonitor::succeeded(Instant taken, const Message& complaint, bool measures) {
   rate_.count(taken);
   const std::lock_guard lock(mutex_);
   newest_ = taken;
   seen_ = true;
+  measures_ = measures;
   const bool is_new = !complaint.empty() && problem_ != complaint;
   if (is_new) ++errors_;
   problem_ = complaint;
@@ -24,6 +25,7 @@ bool PartMonitor::succeeded(Instant taken, const Message& complaint) {
 bool PartMonitor::failed(const Message& problem) {
   const std::lock_guard lock(mutex_);
   ++errors_;
+  measures_ = false;
   const bool is_new = problem_ != problem;
   problem_ = problem;
   return is_new;
@@ -52,6 +54,7 @@ void PartMonitor::fillIn(DeviceReport& report, Instant now) const {
   report.problem = problemAt(now);
   report.ok = report.problem.empty();
   report.in_use = isInUse(report.problem);
+  report.measures = !problem_.empty() && measures_;
   report.rate_hz = seen_ && now - newest_ < std::chrono::seconds(2) ? rate_.rate_hz() : 0.0;
   report.age_ms = seen_ ? toMilliseconds(now - newest_) : std::numeric_limits<double>::quiet_NaN();
   report.errors = errors_;

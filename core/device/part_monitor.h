@@ -17,8 +17,9 @@ class PartMonitor {
               Message waiting = say("nothing received yet"));
 
   /// It answered. @param complaint what is wrong all the same; empty: nothing
+  /// @param measures although it complains, what it measures is good
   /// @return true when this complaint is new, so that it is logged once
-  bool succeeded(Instant taken, const Message& complaint = {});
+  bool succeeded(Instant taken, const Message& complaint = {}, bool measures = false);
   /// It did not answer. @return true when this problem is new
   bool failed(const Message& problem);
   void describe(const Message& description);
@@ -26,7 +27,7 @@ class PartMonitor {
   [[nodiscard]] Message problem(Instant now) const;
   /// Part and description, and what `fillIn` writes.
   [[nodiscard]] DeviceReport report(Instant now) const;
-  /// Writes ok, problem, in_use, rate_hz, age_ms and errors.
+  /// Writes ok, problem, in_use, measures, rate_hz, age_ms and errors.
   void fillIn(DeviceReport& report, Instant now) const;
 
  private:
@@ -40,6 +41,7 @@ class PartMonitor {
   Message problem_;
   std::uint64_t errors_ = 0;
   bool seen_ = false;
+  bool measures_ = false;
   Instant newest_{};
   RateMeter rate_;
 };

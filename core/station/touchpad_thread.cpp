@@ -55,9 +55,10 @@ void TouchpadThread::report(Instant now, bool released) {
   Message complaint = touchpad_->complaint();
   if (complaint.empty()) complaint = plausibility_.complaint();
   if (complaint.empty()) complaint = frozen_.complaint();
+  const bool measures = complaint.empty();
   if (complaint.empty() && released) complaint = touchpad_->whySwitchedOff();
   if (complaint.empty() && released) complaint = plausibility_.whyWithheld();
-  if (monitor_.succeeded(now, complaint)) spdlog::warn("Touchpad: {}", complaint.text());
+  if (monitor_.succeeded(now, complaint, measures)) spdlog::warn("Touchpad: {}", complaint.text());
 }
 
 void TouchpadThread::publishReports(Instant now) {

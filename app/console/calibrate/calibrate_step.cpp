@@ -32,7 +32,8 @@ Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const
   for (const device::DeviceReport& device : devices) {
     for (const device::ReportValue& value : device.values) {
       if (value.name != name || !value.text.empty()) continue;
-      if (!device.ok) return fail("{} does not answer: {}", phrase(toString(device.part)), device.problem);
+      if (!device.ok && !device.measures)
+        return fail("{} does not answer: {}", phrase(toString(device.part)), device.problem);
       if (!(device.age_ms <= kStale_ms))
         return fail("{}'s newest reading is {:.0f} ms old", phrase(toString(device.part)), device.age_ms);
       if (!std::isfinite(value.number)) return fail("{} is not known: check its cable", name);

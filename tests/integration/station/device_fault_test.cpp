@@ -179,6 +179,10 @@ TEST_P(EveryMotorBoard, WhyItsMotorsWentOffIsShownUntilTheOperatorActs) {
     ASSERT_TRUE(rig.pass(300));
     EXPECT_EQ(rig.state, SafetyState::held);
     EXPECT_TRUE(rig.isToBeArmed(cell.words)) << rig.part().problem.text();
+    EXPECT_TRUE(rig.wait("sensors that count, as for a calibration", [&] {
+      const device::DeviceReport sensors = rig.station->devices().front();
+      return sensors.ok || sensors.measures;
+    }));
     for (int attempt = 0; attempt < 20 && rig.state != SafetyState::active; ++attempt) {  // no stop is needed
       ASSERT_TRUE(rig.station->command({.action = pipeline::OperatorAction::arm}));
       (void)rig.wait(

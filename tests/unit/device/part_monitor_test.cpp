@@ -49,6 +49,17 @@ TEST(PartMonitor, KnowsThatAnotherProgramHasIt) {
   EXPECT_FALSE(monitor.report(at(1)).in_use);
 }
 
+TEST(PartMonitor, TellsAComplaintThatDoesNotTouchWhatIsMeasured) {
+  PartMonitor monitor(Part::touchpad, {});
+  monitor.succeeded(at(0), verbatim("too hot"));
+  EXPECT_FALSE(monitor.report(at(0)).measures);
+  monitor.succeeded(at(1), verbatim("motors off"), true);
+  EXPECT_FALSE(monitor.report(at(1)).ok);
+  EXPECT_TRUE(monitor.report(at(1)).measures);
+  monitor.failed(verbatim("no answer"));
+  EXPECT_FALSE(monitor.report(at(1)).measures);
+}
+
 TEST(PartMonitor, CountsFailuresAndEachNewComplaintOnce) {
   PartMonitor monitor(Part::robot, {});
   EXPECT_TRUE(monitor.failed(verbatim("no answer")));
