@@ -667,13 +667,23 @@ class CalibrateTest : public QObject {
     QVERIFY2(c.page->unfinished().isEmpty(), qPrintable(c.page->unfinished()));
     QVERIFY2(told().contains(discarded.arg(QStringLiteral("No-touch offsets 1, Stiffness map "))), qPrintable(told()));
     // The stiffness map's points were read from other zeros than the new ones, of a calibration or a tare; the cloth's
-    // are counts.
+    // are counts, with the contact that the camera saw.
     simulate("cloth");
     simulate("stiffness");
     untouched();
     accept();
     QVERIFY2(told().contains(discarded.arg(QStringLiteral("Stiffness map "))), qPrintable(told()));
     QVERIFY2(c.page->unfinished().contains(QStringLiteral("Cloth")), qPrintable(c.page->unfinished()));
+    for (const char* camera : {"camera", "camera-region"}) {
+      simulate("cloth");
+      simulate("stiffness");
+      simulate(camera);
+      accept();
+      QVERIFY2(c.page->unfinished().isEmpty(), qPrintable(c.page->unfinished()));
+      QVERIFY2(told().contains(discarded.arg(QStringLiteral("Cloth "))), qPrintable(told()));
+      QVERIFY2(told().contains(QStringLiteral(", Stiffness map ")), qPrintable(told()));
+    }
+    simulate("cloth");
     simulate("stiffness");
     c.window->frame()->go(QStringLiteral("operate"));
     station::Notice tare{.message = say("Tare done")};

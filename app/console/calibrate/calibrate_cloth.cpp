@@ -76,6 +76,10 @@ class ClothStep : public CalibrationStep {
   int interval_ms() const override { return kDistanceInterval_ms; }
   int readings() const override { return distanceReadings(indentation_); }
   int readingColumn() const override { return -1; }
+  /// Beside the sensors' codes its points have the contact as the camera saw it.
+  bool readWith(std::string_view calibration) const override {
+    return placesTheFinger(calibration) || CalibrationStep::readWith(calibration);
+  }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
     const QString next = nextPress(points);
     if (next.isEmpty()) return tr("Look at the verdict at the right, then accept it, or add presses.");

@@ -155,6 +155,11 @@ inline constexpr int kDistanceInterval_ms = 20;  ///< about as often as distance
 [[nodiscard]] sensing::IrDistance distanceSensorOf(const sensing::IndentationParameters& parameters,
                                                    std::size_t sensor);
 
+/// Whether place and area of the finger are read with the values that this calibration finds.
+[[nodiscard]] inline bool placesTheFinger(std::string_view calibration) {
+  return calibration == "camera" || calibration == "camera-region";
+}
+
 /// A stretch that the operator types, in these limits.
 [[nodiscard]] CalibrationEntry stretchEntry(double lowest_deg, double highest_deg);
 

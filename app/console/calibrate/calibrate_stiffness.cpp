@@ -29,9 +29,10 @@ class StiffnessStep : public CalibrationStep {
   int readingColumn() const override { return 1; }
   Motion motion() const override { return Motion::stretch; }
   bool trustsIndentation() const override { return true; }
-  /// Its points are depths and forces from the zeros in force, and one fit knows one zero.
+  /// Its points are depths and forces from the zeros in force, and one fit knows one zero; a depth is that at the place
+  /// where the camera sees the finger.
   bool readWith(std::string_view calibration) const override {
-    return calibration == "no-touch" || CalibrationStep::readWith(calibration);
+    return calibration == "no-touch" || placesTheFinger(calibration) || CalibrationStep::readWith(calibration);
   }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
     return points.empty() ? tr("Type a stretch and hold the button: the motors go there. Meanwhile press the cloth to "
