@@ -68,13 +68,26 @@ Rows smallest(const Eigen::VectorXd& values, Eigen::Index count) {
   return rows;
 }
 
-/// Adds points of `random` that are not among the rows yet, until there are `count`.
-void addRows(Rows& rows, Eigen::Index count, Eigen::Index points, std::mt19937_64& random) {
-  for (int tries = 0; static_cast<Eigen::Index>(rows.size()) < count && tries < 1000; ++tries) {
-    const auto row = static_cast<Eigen::Index>(random() % static_cast<std::uint64_t>(points));
-    if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+/// Some of the points, taken at random.
+class RandomRows {
+ public:
+  explicit RandomRows(Eigen::Index points) : taken_(static_cast<std::size_t>(points)) {}
+  /// Adds points of `random` that are not among the rows yet, until there are `count`, which is fewer than all.
+  void grow(Eigen::Index count, std::mt19937_64& random) {
+    while (size() < count) {
+      const auto row = static_cast<std::size_t>(random() % taken_.size());
+      if (taken_[row] != 0) continue;
+      taken_[row] = 1;
+      rows_.push_back(static_cast<Eigen::Index>(row));
+    }
   }
-}
+  [[nodiscard]] const Rows& rows() const { return rows_; }
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(rows_.size()); }
+
+ private:
+  Rows rows_;
+  std::vector<char> taken_;
+};
 
 /// The `count` points with the least sum of squares that a seeded search finds (FAST-LTS [Rousseeuw 2006]).
 Rows trimmedStart(const Eigen::MatrixXd& design, const Eigen::VectorXd& y, Eigen::Index count) {
@@ -84,14 +97,15 @@ Rows trimmedStart(const Eigen::MatrixXd& design, const Eigen::VectorXd& y, Eigen
   Rows best;
   double best_sum = std::numeric_limits<double>::infinity();
   for (int start = 0; start < (points > kManyPoints ? kStartsOfMany : kStarts); ++start) {
-    Rows rows;
-    addRows(rows, design.cols(), points, random);
-    SubsetFit fit = fitSubset(design, y, rows, false);
-    // With a column for each group of points, so few rarely have one of each group.
-    while (!fit.solved && static_cast<Eigen::Index>(rows.size()) < count) {
-      addRows(rows, static_cast<Eigen::Index>(rows.size()) + 1, points, more);
-      fit = fitSubset(design, y, rows, false);
+    RandomRows some(points);
+    some.grow(design.cols(), random);
+    SubsetFit fit = fitSubset(design, y, some.rows(), false);
+    // With a column for each group of points, so few rarely have one of each group. By shares: a group may be rare.
+    while (!fit.solved && some.size() < count) {
+      some.grow(std::min(count, some.size() + std::max<Eigen::Index>(1, some.size() / 4)), more);
+      fit = fitSubset(design, y, some.rows(), false);
     }
+    Rows rows;
     for (int i = 0; i < kConcentrations && fit.solved; ++i) {
       rows = smallest(fit.residual, count);
       fit = fitSubset(design, y, rows, false);
@@ -127,17 +141,15 @@ std::vector<std::size_t> findOutliers(const Eigen::MatrixXd& design, const Eigen
     // One point too many among all of them is what the confidence allows (Bonferroni).
     const double doubt = (1.0 - options.confidence) / static_cast<double>(points);
     const double limit = studentQuantile(1.0 - doubt, static_cast<std::size_t>(size - unknowns));
-    const Rows next = smallest(t, size + 1);
-    double reached = 0.0;
-    for (const Eigen::Index row : next) reached = std::max(reached, t[row]);
-    if (reached >= limit) {
+    const Eigen::Index allowed = (t.array() < limit).count();
+    if (allowed <= size) {
       std::vector<std::size_t> out;
       for (Eigen::Index i = 0; i < points; ++i) {
         if (t[i] >= limit) out.push_back(static_cast<std::size_t>(i));
       }
       return out;
     }
-    good = smallest(t, std::min(points, size + stride));
+    good = smallest(t, std::min(allowed, size + stride));  // a stride must not carry the last of them along
   }
   return {};
 }

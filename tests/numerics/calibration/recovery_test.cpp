@@ -18,6 +18,7 @@
 #include "core/control/static_law.h"
 #include "core/sensing/finger_detector.h"
 #include "core/sensing/sensing_parameters.h"
+#include "tests/processor_time.h"
 #include "tests/sweep.h"
 
 namespace fyd::calibration {
@@ -149,6 +150,37 @@ TEST(Outliers, ExactDataHasNoneButTheOneThatIs) {
   EXPECT_TRUE(findOutliers(design, y, {}).empty());
   y[3] += 0.5;
   EXPECT_EQ(findOutliers(design, y, {}), std::vector<std::size_t>{3});
+}
+
+/// A stiffness map's rows: presses at four angles, `at_the_last` of them at the last one.
+struct ManyRows {
+  Eigen::MatrixXd design;
+  Eigen::VectorXd force;
+};
+ManyRows manyRows(Eigen::Index rows, Eigen::Index at_the_last, const std::vector<std::size_t>& outliers) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0, 0.05);
+  ManyRows out{Eigen::MatrixXd::Zero(rows, 5), Eigen::VectorXd(rows)};
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const Eigen::Index angle = i >= rows - at_the_last ? 3 : i % 3;
+    const double depth_mm = 1.0 + static_cast<double>(i % 7);
+    out.design(i, angle) = depth_mm;
+    out.design(i, 4) = 1.0;
+    out.force[i] = (0.4 + 0.1 * static_cast<double>(angle)) * depth_mm + 0.2 + noise(random);
+  }
+  for (const std::size_t row : outliers) out.force[static_cast<Eigen::Index>(row)] += 1.0;
+  return out;
+}
+
+TEST(Outliers, AFewAreFoundAmongManyRows) {
+  const std::vector<std::size_t> planted = {5, 4000, 9001, 19'998};
+  const ManyRows rare = manyRows(20'000, 4, planted), even = manyRows(20'000, 5000, planted);
+  double start_s = processorTime_s();
+  EXPECT_EQ(findOutliers(even.design, even.force, {}), planted);
+  const double even_s = processorTime_s() - start_s;
+  start_s = processorTime_s();
+  EXPECT_EQ(findOutliers(rare.design, rare.force, {}), planted);
+  EXPECT_LT(processorTime_s() - start_s, 5.0 * even_s) << "an angle of few presses must not cost a fit for each row";
 }
 
 TEST(IrCalibration, RecoversTheThesisPolynomialFromItsOwnPoints) {
