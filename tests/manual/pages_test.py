@@ -8,6 +8,7 @@ import glob
 import os
 import re
 import subprocess
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -142,6 +143,15 @@ class Pages(unittest.TestCase):
         self.assertGreater(count, 50)
         self.assert_no_faults(faults)
 
+    def test_every_command_of_the_program_is_run_on_some_page(self):
+        listed = tomllib.loads((Path(__file__).parent / "blocks.toml").read_text(encoding="utf-8"))["not_run"]
+        run = "".join(block.code for block in manual_blocks.all_blocks(ROOT) if block.language in ("sh", "console")
+                      and not any(row["page"] == block.page and block.first.startswith(row["first"]) for row in listed))
+        list_of_commands = (ROOT / "app/cli/CMakeLists.txt").read_text(encoding="utf-8")
+        commands = re.search(r"set\(FYD_COMMANDS ([\w ]+)\)", list_of_commands)[1].split()
+        self.assertGreater(len(commands), 15)
+        self.assertEqual([name for name in commands if not re.search(rf"\bfyd {name}\b", run)], [])
+
     def test_every_parameter_that_is_named_exists(self):
         done = subprocess.run([Path(os.environ["FYD_PROGRAMS"]) / "fyd", "params", "--markdown"], capture_output=True, text=True,
                               check=True)
@@ -243,6 +253,17 @@ class Window(unittest.TestCase):
                 self.assertTrue((MANUAL / page).exists())
                 if anchor:
                     self.assertIn(anchor, set(headings(MANUAL / page)))
+
+    def test_the_page_of_screens_has_every_place_and_panel(self):
+        page = (MANUAL / "screens.md").read_text(encoding="utf-8")
+        places = re.findall(r'\{"\w+", QT_TRANSLATE_NOOP\("Commands", "([^"]+)"\), "[\w-]+", "([^"]+)"',
+                            (ROOT / "app/console/window/places.cpp").read_text(encoding="utf-8"))
+        self.assertGreaterEqual(len(places), 5)
+        for name, keys in places:
+            self.assertIn(f"\n### {name} ({keys})\n", page)
+        panels = re.search(r"kPanelNames = \{([^}]*)\}", (ROOT / "app/console/shell/options.h").read_text(encoding="utf-8"))[1]
+        for name in re.findall(r'"([^"]+)"', panels):
+            self.assertIn(f"\n| {name.replace('-', ' ')} |", page)
 
     def test_the_keys_of_every_command_are_named(self):
         """CommandInfo{id, menu, text, icon, keys} wherever it stands in the window's sources."""
