@@ -23,23 +23,16 @@ def subjects():
     return sorted(path.stem for path in (ROOT / "app/bench").glob("*.cpp") if path.stem != "main")
 
 
-def number(cell):
-    try:
-        return float(cell)
-    except ValueError:
-        return math.nan
-
-
 def median(cells):
-    values = [value for value in map(number, cells) if math.isfinite(value)]
+    values = [value for value in map(take.number, cells) if math.isfinite(value)]
     return statistics.median(values) if values else math.nan
 
 
 def differs(shown, expected):
     """Both are rounded to three digits, the median of an even number of rounded values once more."""
     if math.isnan(expected):
-        return not math.isnan(number(shown))
-    return not abs(number(shown) - expected) <= 0.011 * abs(expected)
+        return not math.isnan(take.number(shown))
+    return not abs(take.number(shown) - expected) <= 0.011 * abs(expected)
 
 
 def page_faults(page, rows):
@@ -91,6 +84,12 @@ class Numbers(unittest.TestCase):
         self.assertGreater(len(self.rows), 400)
         self.assertEqual(page_faults(self.page, self.rows), [])
 
+    def test_every_row_was_measured(self):
+        self.assertEqual(take.not_measured(self.rows), [])
+        planted = [{"subject": "a", "what": "b", "cost": "—", "error": "—"}, {"subject": "a", "what": "c", "cost": "", "error": "∞"},
+                   {"subject": "a", "what": "d (FAILED: e)", "cost": "1", "error": "0"}]
+        self.assertEqual(take.not_measured(planted), ["a: b", "a: d (FAILED: e)"])
+
     def test_every_subject_of_the_program_is_a_file_here(self):
         program = Path(os.environ["FYD_PROGRAMS"]) / "fyd-bench"
         if not program.exists():
@@ -103,7 +102,10 @@ class Numbers(unittest.TestCase):
         self.assertEqual(tuple(facts), FACTS)
         self.assertEqual([name for name, value in facts.items() if value in ("", "unknown")], [])
         self.assertRegex(facts["date"], r"^20\d\d-\d\d-\d\d \d\d:\d\d UTC$")
+        self.assertRegex(facts["revision"], r"^[0-9a-f]{12}$", "what was measured is a revision without changes")
         self.assertEqual(facts["build type"], "Release")
+        if float(facts["others at work"].split()[0]) > 0.25 * int(facts["cores"]):
+            self.assertIn("not idle", facts["others at work"])
         self.assertNotIn("--quick", self.page)
 
     def test_the_readme_quotes_the_page(self):

@@ -37,9 +37,14 @@ std::string system() {
   return ::uname(&name) == 0 ? fmt::format("{} {} {}", name.sysname, name.release, name.machine) : "unknown";
 }
 
+constexpr double kIdle = 0.25;  // programs at work for each core, at most
+
 std::string load() {
   double minute = 0.0;
-  return ::getloadavg(&minute, 1) == 1 ? fmt::format("{:.1f} programs at the beginning", minute) : "unknown";
+  if (::getloadavg(&minute, 1) != 1) return "unknown";
+  const bool idle = minute <= kIdle * std::thread::hardware_concurrency();
+  return fmt::format("{:.1f} programs at the beginning{}", minute,
+                     idle ? "" : ": the machine was not idle, and the times are longer for it");
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ constexpr const char* kBeginning = R"(# Numbers
 
 What each part costs and how far off it is, beside a baseline that was measured in the same run. One command makes this
 page, its picture and the tables behind it (`resources/manual/numbers/numbers.csv`, all rows) on the machine that it names,
-and puts the figures that the README quotes there too:
+and puts the figures that the README quotes there too. It refuses a program that is not built of the present revision without
+changes:
 
 ```sh
 installer/numbers.sh
@@ -51,9 +52,10 @@ void writeNumbersPage(const std::vector<Table>& tables, const std::vector<Fact>&
   if (const std::string picture = pictureOf(tables); !picture.empty()) {
     writeBeside("numbers.svg", picture);
     page +=
-        "![Error against cost of each subject's methods, both as multiples of the baseline, on logarithmic "
-        "axes](images/numbers.svg)\n\nTo the right: cost; upward: error; both as multiples of the baseline (red), down "
-        "to a thousandth and up to a thousandfold.\n\n";
+        "![Error against cost of the methods of each subject that has both, as multiples of the baseline, on "
+        "logarithmic axes](images/numbers.svg)\n\nThe subjects that have both cost and error beside a baseline. To the "
+        "right: cost; upward: error; both as multiples of the baseline (red), down to a thousandth and up to a "
+        "thousandfold.\n\n";
   }
   page += kReading;
   for (const Table& table : tables) {

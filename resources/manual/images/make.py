@@ -76,8 +76,8 @@ PICTURES = {
     "architecture.svg": lambda m, n: m.run(sys.executable, IMAGES / "architecture.py", IMAGES / n),
     "membrane_section.svg": lambda m, n: m.run(sys.executable, IMAGES / "membrane_section.py", IMAGES / n),
     # What a bench measured.
-    "numbers.svg": lambda m, n: m.run(ROOT / "installer/numbers.sh"),  # and its page
-    "predict.svg": lambda m, n: m.bench("predict", n),
+    "numbers.svg": lambda m, n: m.run(ROOT / "installer/numbers.sh"),  # and its page, scene_contact.svg and texture_curve.svg
+    "predict.svg": lambda m, n: m.bench("predict", n),  # two of its panels need recordings that do not come along: teleop.md
     "scene_contact.svg": lambda m, n: m.bench("scene_contact", n),
     "teleop.svg": lambda m, n: m.run("fyd", "teleop", "table", "--out", IMAGES / n),
     "texture_curve.svg": texture_curve,

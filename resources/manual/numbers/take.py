@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """Puts what `fyd bench --all --out DIR` measured into the manual and the README: resources/manual/numbers/take.py DIR
 
-numbers.md and its picture, numbers.csv and stability.csv beside this file, the table of stability.md, and the figures that
-the README quotes. installer/numbers.sh measures and runs this. tests/manual/numbers_test.py reads the pages with the
-functions below.
+numbers.md and its picture, those of scene_contact and texture, numbers.csv and stability.csv beside this file, the table of
+stability.md, and the figures that the README quotes. A run in which something was not measured is refused. installer/numbers.sh
+measures and runs this. tests/manual/numbers_test.py reads the pages with the functions below.
 """
 import csv
+import math
 import re
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -20,8 +22,8 @@ STABILITY = MANUAL / "stability.md"
 QUOTED = [
     ("one step of 1 kHz, everything in it", "step", "default"),
     ("the finger in a picture", "detector", "adaptive (default)"),
-    ("indentation and stiffness", "indentation", "contact and force, cloth calibrated"),
-    ("stiffness loop, until it has settled", "controller", "cloth calibrated"),
+    ("indentation and stiffness, cloth calibrated", "indentation", "contact and force, cloth calibrated"),
+    ("stiffness loop, until it has settled, cloth calibrated", "controller", "cloth calibrated"),
     ("nearest point of a mesh", "scene", "walk with certificate"),
     ("where the hand is now, over a late network", "predict", "default"),
     ("three axes of vibration to one, 31 ms late", "texture", "dft321, frame 32, hop 16"),
@@ -31,6 +33,20 @@ QUOTED = [
 def rows_of(path):
     with open(path, encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
+
+
+def number(cell):
+    """NaN for a cell that holds none."""
+    try:
+        return math.inf if cell == "∞" else float(cell)
+    except ValueError:
+        return math.nan
+
+
+def not_measured(rows):
+    """Rows of numbers.csv that say that they failed, or have neither a cost nor an error."""
+    return [f"{row['subject']}: {row['what']}" for row in rows
+            if "FAILED" in row["what"] or math.isnan(number(row["cost"])) and math.isnan(number(row["error"]))]
 
 
 def cells(line):
@@ -102,8 +118,13 @@ def main():
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
     folder = Path(sys.argv[1])
+    if missing := not_measured(rows_of(folder / "numbers.csv")):
+        raise SystemExit(f"{folder}/numbers.csv: expected figures in every row, not measured: {'; '.join(missing)}")
     shutil.copy(folder / "numbers.md", MANUAL / "numbers.md")
-    shutil.copy(folder / "numbers.svg", MANUAL / "images/numbers.svg")
+    for name in ("numbers.svg", "scene_contact.svg"):
+        shutil.copy(folder / name, MANUAL / "images" / name)
+    subprocess.run([sys.executable, MANUAL / "images/texture_curve.py", folder / "texture.csv",
+                    MANUAL / "images/texture_curve.svg"], check=True)
     for name in ("numbers.csv", "stability.csv"):
         shutil.copy(folder / name, NUMBERS / name)
     README.write_text(with_table(README.read_text(encoding="utf-8"), "Measured", readme_table(
