@@ -1,4 +1,5 @@
 // What recording costs: the haptic loop's push against a plain copy, and a whole station with and without.
+#include <algorithm>
 #include <cstring>
 #include <thread>
 
@@ -11,12 +12,20 @@ namespace fyd::bench {
 namespace {
 
 double push_s() { return wholeOrQuick(6.0, 1.5); }
-double station_s() { return wholeOrQuick(12.0, 2.0); }
+double station_s() { return wholeOrQuick(12.0, 3.0); }
+constexpr double kPatience_s = 20.0;  // until the station is armed
+
+/// Why no recording is under way; empty: one is.
+std::string whyNotRecording(const recording::RecorderStatus& status) {
+  if (status.state == recording::RecorderState::recording) return {};
+  return status.problem.empty() ? "nothing is being recorded" : status.problem.text();
+}
 
 struct Push {
   Quantiles copy_ns;
   Quantiles push_ns;
   std::uint64_t lost = 0;
+  std::string failed;  ///< why these are not the figures of a recording; empty: they are
 };
 
 /// At the haptic loop's rate, so that caches are as cold as in a session. What goes second finds the step in the cache:
@@ -29,9 +38,10 @@ Push measurePush(const std::string& path) {
   std::vector<recording::StepRecord> slots(2000);
   Instant due = Clock::now();
   std::size_t number = 0;
-  simulateSession(push_s(), [&](const recording::StepView& step) {
+  Result<void> begun;
+  simulateSession(SessionKind::gesture, push_s(), [&](const recording::StepView& step) {
     std::this_thread::sleep_until(due += std::chrono::milliseconds(1));
-    if (number == 500) (void)recorder.begin({.path = path});
+    if (number == 500) begun = recorder.begin({.path = path});
     recording::StepRecord& slot = slots[number++ % slots.size()];
     const auto time = [](auto&& call) {
       const Instant before = Clock::now();
@@ -53,25 +63,32 @@ Push measurePush(const std::string& path) {
       copy();
     }
   });
-  (void)recorder.end();
-  return {.copy_ns = quantiles(copies), .push_ns = quantiles(pushes), .lost = recorder.status().lost};
+  std::string failed = begun ? whyNotRecording(recorder.status()) : begun.error().text();
+  if (failed.empty()) {
+    if (const auto ended = recorder.end(); !ended) failed = ended.error().text();
+  }
+  return {.copy_ns = quantiles(copies),
+          .push_ns = quantiles(pushes),
+          .lost = recorder.status().lost,
+          .failed = std::move(failed)};
 }
 
 struct Session {
   double missed_percent = 0.0;
   recording::RecorderStatus recorder;
+  std::string failed;  ///< why these are not the figures of an armed station, recorded as asked for; empty: they are
 };
 
 Session runStation(const std::string& path) {
   station::StationOptions options{.real_time = true};  // what is judged is how late it is
   if (!path.empty()) options.record = recording::RecordingRequest{.path = path};
   auto opened = station::Station::open(options);
-  if (!opened) return {};
+  if (!opened) return {.failed = opened.error().text()};
   std::vector<pipeline::TelemetrySample> batch(1000);
   (*opened)->start();
   const Instant start = Clock::now();
   bool armed = false;
-  while (toSeconds(Clock::now() - start) < station_s()) {
+  while (toSeconds(Clock::now() - start) < (armed ? station_s() : std::max(station_s(), kPatience_s))) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     const std::size_t taken = (*opened)->takeTelemetry(batch);
     if (armed || taken == 0 || batch[taken - 1].state != pipeline::SafetyState::ready) continue;
@@ -81,6 +98,11 @@ Session runStation(const std::string& path) {
   const station::LoopStatus loop = (*opened)->status().loop;
   out.missed_percent =
       100.0 * static_cast<double>(loop.missed_cycles) / static_cast<double>(loop.missed_cycles + loop.steps);
+  if (!armed) {
+    out.failed = "the station did not become ready to be armed";
+  } else if (!path.empty()) {
+    out.failed = whyNotRecording(out.recorder);
+  }
   (*opened)->shutDown();
   return out;
 }
@@ -93,14 +115,21 @@ Table bench_recorder() {
   const Session without = runStation("");
   const Session with = runStation(folder.file("station.h5"));
   const auto pushRow = [&](const std::string& name, const Quantiles& ns, std::uint64_t lost) {
-    return std::vector<std::string>{
-        "a step", name,     number(ns.p50), number(ns.p99), number(ns.p50 / push.copy_ns.p50),
-        kNothing, kNothing, kNothing,       kNothing,       number(static_cast<double>(lost))};
+    return std::vector<std::string>{"a step",
+                                    orFailed(name, push.failed),
+                                    number(ns.p50),
+                                    number(ns.p99),
+                                    number(ns.p50 / push.copy_ns.p50),
+                                    kNothing,
+                                    kNothing,
+                                    kNothing,
+                                    kNothing,
+                                    number(static_cast<double>(lost))};
   };
   const auto stationRow = [](const std::string& name, const Session& session) {
     const recording::RecorderStatus& status = session.recorder;
     return std::vector<std::string>{"a session",
-                                    name,
+                                    orFailed(name, session.failed),
                                     kNothing,
                                     kNothing,
                                     kNothing,

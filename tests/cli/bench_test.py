@@ -1,7 +1,10 @@
 """fyd bench --all: every subject in one run, as text, Markdown, CSV, JSON and pictures. What it measures is not judged."""
 import csv
+import json
 import os
 import re
+import resource
+import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -33,6 +36,8 @@ class Bench(fyd.Case):
             baselines = [row for row in rows if row["subject"] == subject and row["what"] == row["baseline"]]
             self.assertTrue(baselines, f"{subject} has no baseline")
             self.assertLessEqual({row["cost / baseline"] for row in baselines}, {"1", "—"}, subject)
+        self.assertEqual([row for row in rows if "FAILED" in row["what"] or row["cost"] in ("", "—") and row["error"] in ("", "—")],
+                         [], "a row without a figure")
         for subject in measured:
             with self.subTest(subject=subject):
                 with open(out / f"{subject}.csv", encoding="utf-8", newline="") as file:
@@ -63,6 +68,22 @@ class Bench(fyd.Case):
         rows = self.json("bench", "recording", "--quick", "--json")[0]["rows"]
         self.assertIn("1000 steps in order, for replay", [row["what"] for row in rows])
         self.assertFalse([row["what"] for row in rows if "FAILED" in row["what"]])
+
+    def test_what_the_recorder_costs_is_of_a_recorder_that_records(self):
+        rows = self.json("bench", "recorder", "--quick", "--json")[0]["rows"]
+        self.assertFalse([row["what"] for row in rows if "FAILED" in row["what"]])
+        self.assertGreater(float(rows[-1]["written (kB/s)"]), 0)
+
+    def test_a_recording_that_could_not_be_made_is_no_result(self):
+        def no_file_may_grow():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
+        for subject, failed in (("recorder", ("push to the recorder", "simulated station, recorded")), ("replay", ("recording",))):
+            with self.subTest(subject=subject):
+                done = subprocess.run([fyd.PROGRAM, "bench", subject, "--quick", "--json"], capture_output=True, text=True,
+                                      timeout=fyd.PATIENCE, check=True, preexec_fn=no_file_may_grow)
+                names = [row["what"] for row in json.loads(done.stdout)[0]["rows"]]
+                for name in failed:
+                    self.assertTrue(any(each.startswith(name + " (FAILED: ") for each in names), names)
 
     def test_what_does_not_go_together_is_refused(self):
         self.assertIn("--out", self.refused(2, "bench", "--all"))

@@ -3,7 +3,9 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -36,10 +38,21 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+enum class SessionKind : std::uint8_t {
+  gesture,  ///< the demonstration gesture
+  /// A finger that stays, on a cloth whose target goes up and down: says how the cloth answers, as a replay in closed
+  /// loop needs to know.
+  staircase,
+};
+
 /// Armed after 0.3 s, one acceleration a step. `each` gets the inputs and outputs of each step.
-inline void simulateSession(double seconds, const std::function<void(const recording::StepView&)>& each) {
+inline void simulateSession(SessionKind kind, double seconds,
+                            const std::function<void(const recording::StepView&)>& each) {
+  constexpr std::size_t kStair = 1'200;                  // steps
+  constexpr std::array kStairs_N_per_mm = {0.62, 0.80};  // what 6 mm in the middle can do
   sim::LockstepOptions options;
-  options.finger = sim::FingerPath::demonstration();
+  options.finger =
+      kind == SessionKind::gesture ? sim::FingerPath::demonstration() : sim::FingerPath::constant(0.0, 0.0, 6.0);
   options.draw_pictures = false;
   sim::Lockstep lockstep(options);
   pipeline::Inputs inputs;
@@ -49,6 +62,10 @@ inline void simulateSession(double seconds, const std::function<void(const recor
     (void)in.robot.accelerations.push(
         {.taken = in.now, .acceleration_g = {std::sin(phase), 0.5 * std::cos(1.3 * phase), 0.2}});
     if (steps == 300) (void)in.commands.push({.action = pipeline::OperatorAction::arm});
+    if (kind == SessionKind::staircase && steps % kStair == 0) {
+      (void)in.commands.push({.action = pipeline::OperatorAction::target_by_hand,
+                              .value = kStairs_N_per_mm[steps / kStair % kStairs_N_per_mm.size()]});
+    }
     inputs = in;
   };
   lockstep.run(seconds, [&](const pipeline::Outputs& outputs) {

@@ -58,6 +58,11 @@ struct Table {
 [[nodiscard]] std::string toCsv(const Table& table);
 [[nodiscard]] nlohmann::ordered_json toJson(const Table& table);
 
+/// A row's method with why it failed, so that its figures are not taken for good ones; empty `why`: as it is.
+[[nodiscard]] inline std::string orFailed(const std::string& method, const std::string& why) {
+  return why.empty() ? method : method + " (FAILED: " + why + ")";
+}
+
 /// "0.123": `digits` significant digits, "—" when not finite.
 [[nodiscard]] std::string number(double value, int digits = 3);
 /// NaN for a cell that holds no number.
