@@ -213,7 +213,7 @@ void ExpertPredictor::updateWeights() {
   }
   double sum = 0.0;
   for (std::size_t e = 0; e < kExperts; ++e) {
-    double share = least / total[e];
+    double share = total[e] > least ? least / total[e] : 1.0;  // also where all losses are 0: a hand that never moved
     for (int doubling = 0; doubling < kWeightDoublings; ++doubling) share *= share;
     weight_[e] = share;
     sum += share;

@@ -148,6 +148,20 @@ TEST(DefaultPredictor, ARampIsFollowedAndASineLearnt) {
   EXPECT_LT(figuresOf("default", sine, network).rms_mm, 0.3 * figuresOf("order1", sine, network).rms_mm);
 }
 
+TEST(DefaultPredictor, AHandThatNeverMovedIsFollowedWhenItDoes) {
+  // Errors that were exactly 0 for so long that what is remembered of the beginning is 0 too.
+  constexpr int kRest = 80'000, kMotion = 1'000;
+  constexpr double kWay_mm = 0.1;
+  const auto predictor = named("default");
+  double x_mm = 4.0;
+  for (int i = 0; i < kRest + kMotion; ++i) {
+    if (i >= kRest) x_mm += kWay_mm;
+    predictor->message(0.01 * i, {x_mm});
+    ASSERT_TRUE(std::isfinite(predictor->predict(0.01 * i + 0.05)[0])) << i;
+  }
+  EXPECT_NEAR(predictor->predict(0.01 * (kRest + kMotion - 1) + 0.05)[0], x_mm + 5.0 * kWay_mm, 0.01);
+}
+
 TEST(DefaultPredictor, SilenceOf637MillisecondsEndsInABoundedGuess) {
   const auto predictor = named("default");
   const auto motion = [](double t) { return 8.0 * std::sin(12.0 * t); };
