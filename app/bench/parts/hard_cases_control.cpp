@@ -1,5 +1,6 @@
 // Control, observers and predictors.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/bench/parts/hard_case.h"
@@ -7,6 +8,7 @@
 #include "core/control/scale_observer.h"
 #include "core/teleop/prediction/linear_forecast.h"
 #include "core/teleop/prediction/orientation_predictor.h"
+#include "core/teleop/prediction/predictor_choice.h"
 
 namespace fyd::bench {
 namespace {
@@ -116,10 +118,40 @@ HardCase turnThroughHalfATurn() {
   return out;
 }
 
+HardCase weightsOfExactForecasts() {
+  // At rest the losses are 0 at last; in steady motion that of a straight line is of rounding alone.
+  constexpr int kRest = 80'000, kMotion = 6'000, kAhead = 5;  // messages
+  constexpr double kPeriod_s = 0.01, kWay_mm = 0.1, kForgetting = 0.99, kTruth_mm = kAhead * kWay_mm;
+  const auto ours = teleop::makePredictor(teleop::PredictorChoice::experts, {.axes = 1, .period_s = kPeriod_s});
+  std::array<double, kAhead + 2> at_mm{};           // the newest first
+  double hold_loss_mm2 = 0.0, line_loss_mm2 = 0.0;  // of staying there, and of going on straight
+  double by_naive_mm = 0.0, by_ours_mm = 0.0;
+  for (int i = 0; i < kRest + kMotion; ++i) {
+    std::shift_right(at_mm.begin(), at_mm.end(), 1);
+    at_mm[0] = i < kRest ? 0.0 : at_mm[1] + kWay_mm;
+    const double way_mm = at_mm[0] - at_mm[kAhead], line_mm = kAhead * (at_mm[kAhead] - at_mm[kAhead + 1]);
+    hold_loss_mm2 = hold_loss_mm2 * kForgetting + way_mm * way_mm;
+    line_loss_mm2 = line_loss_mm2 * kForgetting + (line_mm - way_mm) * (line_mm - way_mm);
+    const double hold = 1.0 / std::pow(hold_loss_mm2, 16.0), line = 1.0 / std::pow(line_loss_mm2, 16.0);
+    by_naive_mm = line / (hold + line) * kAhead * (at_mm[0] - at_mm[1]);
+    ours->message(kPeriod_s * i, {at_mm[0]});
+    by_ours_mm = ours->predict(kPeriod_s * (i + kAhead))[0] - at_mm[0];
+  }
+  return {.name = "forecasts weighted by loss⁻¹⁶, on a steady motion after 80 000 messages of rest",
+          .naive = "1/loss¹⁶ of each over their sum: ∞/∞",
+          .ours = "(least loss/loss)¹⁶ (`teleop::ExpertPredictor`)",
+          .truth = "closed form: speed · time",
+          .unit = "relative",
+          .naive_error = std::isfinite(by_naive_mm) ? std::abs(by_naive_mm / kTruth_mm - 1.0) : kNotFinite,
+          .our_error = std::isfinite(by_ours_mm) ? std::abs(by_ours_mm / kTruth_mm - 1.0) : kNotFinite,
+          .at_most = 0.01};
+}
+
 }  // namespace
 
 std::vector<HardCase> hardCasesOfControl() {
-  return {integratorAtItsStop(), varianceThatFallsFast(), learningAfterALongRest(), turnThroughHalfATurn()};
+  return {integratorAtItsStop(), varianceThatFallsFast(), learningAfterALongRest(), turnThroughHalfATurn(),
+          weightsOfExactForecasts()};
 }
 
 }  // namespace fyd::bench

@@ -127,6 +127,59 @@ HardCase triangleWithoutArea() {
           .at_most = 1e-12};
 }
 
+HardCase meshFarFromTheOrigin() {
+  // As surveyors' coordinates are: floats are 8 mm apart there, and triangles lie across the middle between two of them.
+  // Both compute distances to triangles in double.
+  constexpr double kFar_mm = 1e8 + 0.5, kAbove_mm = 0.25, kReach_mm = 40.0;
+  constexpr int kProbes = 200;
+  TriangleSoup flat = bumpyPlane(100);
+  for (Vec3& each : flat.vertices) each = {each.x + kFar_mm, each.y + kFar_mm, kFar_mm};
+  HardCase out{.name = "distance to a mesh of 100 mm that lies 100 km from the origin",
+               .naive = "spheres in float around its triangles; one that is farther than the nearest yet is skipped",
+               .ours = "discs around the mesh's middle, grown by what floats lose (`scene::TriangleTree`)",
+               .truth = "a plane: 0.25 mm",
+               .unit = "mm",
+               .at_most = 1e-7};
+  const auto mesh = Mesh::build(flat);
+  if (!mesh) {
+    out.our_error = kNotFinite;
+    return out;
+  }
+  struct Sphere {
+    std::array<float, 3> middle{};
+    float radius = 0.0F;
+  };
+  const auto floats = [](const Vec3& v) {
+    return std::array<float, 3>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  };
+  std::vector<Sphere> spheres;
+  spheres.reserve(mesh->triangles().size());
+  for (const Triangle& t : mesh->triangles()) {
+    const auto v = mesh->vertices();
+    const Vec3 middle = (1.0 / 3.0) * (v[t[0]] + v[t[1]] + v[t[2]]);
+    double radius = 0.0;
+    for (const std::uint32_t corner : t) radius = std::max(radius, (v[corner] - middle).norm());
+    spheres.push_back({floats(middle), static_cast<float>(radius)});
+  }
+  const TriangleTree tree(*mesh);
+  for (int i = 0; i < kProbes; ++i) {
+    const double along_mm = kReach_mm * (2.0 * i / kProbes - 1.0);
+    const Vec3 probe{kFar_mm + along_mm, kFar_mm + 0.731 * along_mm, kFar_mm + kAbove_mm};
+    const auto from = floats(probe);
+    double naive_mm = kNotFinite;
+    for (std::uint32_t t = 0; t < spheres.size(); ++t) {
+      const auto& middle = spheres[t].middle;
+      const float away = std::hypot(from[0] - middle[0], from[1] - middle[1], from[2] - middle[2]) - spheres[t].radius;
+      if (away > static_cast<float>(naive_mm)) continue;
+      naive_mm = std::min(naive_mm, std::sqrt(nearestOnTriangle(*mesh, probe, t).squared_mm2));
+    }
+    const double ours_mm = std::sqrt(tree.nearest(probe).squared_mm2);
+    out.naive_error = std::max(out.naive_error, std::abs(naive_mm - kAbove_mm));
+    out.our_error = std::max(out.our_error, std::abs(ours_mm - kAbove_mm));
+  }
+  return out;
+}
+
 HardCase stiffAndLight() {
   // A body of 1 mg at 0.5 N/mm: ω·Δt is 22.
   constexpr double kDepth_mm = 1.5, kRigidity_N_per_mm = 0.5, kMass_kg = 1e-6, kStep_s = 1e-3;
@@ -175,8 +228,8 @@ HardCase lengthOfAHugeVector() {
 }  // namespace
 
 std::vector<HardCase> hardCasesOfScenes() {
-  return {bladesNearlyParallel(), bladesThatPassInOneStep(), timeUntilATouch(),    racketThatHardlyTurns(),
-          triangleWithoutArea(),  stiffAndLight(),           lengthOfAHugeVector()};
+  return {bladesNearlyParallel(), bladesThatPassInOneStep(), timeUntilATouch(), racketThatHardlyTurns(),
+          triangleWithoutArea(),  meshFarFromTheOrigin(),    stiffAndLight(),   lengthOfAHugeVector()};
 }
 
 }  // namespace fyd::bench
