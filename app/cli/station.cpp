@@ -286,7 +286,7 @@ void add_station(CLI::App& app) {
     if (const auto good = station::checkWords(options->station); !good) {
       throw UsageError(about("station", good.error().message));
     }
-    options->station.profile = options->profile.load();
+    options->station.profile = options->profile.load(ProfileOptions::Together::not_yet);  // it names the touchpad
     options->station.profile = options->profile.loadFor(station::touchpadOf(options->station));
     options->profile.warnOfOutdatedParts(options->station.profile);
     runStation(*options);

@@ -217,6 +217,15 @@ class Parameters(fyd.Case):
         *_, row = fyd.run("params", "control.kp", "--markdown").stdout.splitlines()
         self.assertTrue(row.startswith("| `control.kp` |"), row)
 
+    def test_a_setting_must_agree_with_the_values_of_the_touchpad_that_is_used(self):
+        profile = self.write("lab.toml", '[calibration]\ntouchpad = "serial:A7"\n[control]\nlaw_angle_deg = [20, 45, 60, 75, 90]\n'
+                                         "law_stiffness_N_per_mm = [0.5, 0.55, 0.6, 0.65, 0.7]\n")
+        self.write("lab.simulated.toml", "[control]\nlaw_angle_deg = [20, 45, 60, 90]\nlaw_stiffness_N_per_mm = [0.5, 0.55, 0.65, 0.7]\n")
+        session = (*SESSION, "--profile", profile, "--robot", "none", "--duration", 0.2, "--set")
+        self.json(*session, "control.law_stiffness_N_per_mm=[0.4,0.5,0.6,0.7]", "--json")
+        self.assertIn("--set: control.law_stiffness_N_per_mm: 5 values for 4 angles",
+                      self.refused(2, *session, "control.law_stiffness_N_per_mm=[0.4,0.5,0.6,0.65,0.7]"))
+
     def test_a_wrong_profile_is_refused_with_line_and_range(self):
         path = self.write("wrong.toml", "[control]\nkp = -1.0\n")
         self.assertRegex(self.refused(1, "params", "--profile", path), re.escape("wrong.toml:2: control.kp = -1: expected a number from 0"))

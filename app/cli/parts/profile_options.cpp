@@ -20,10 +20,10 @@ void ProfileOptions::addTo(CLI::App& command) {
   command.add_option("--set", settings, "A parameter as id=value, over the profile's; may be repeated")->take_all();
 }
 
-station::Profile ProfileOptions::load() const {
+station::Profile ProfileOptions::load(Together together) const {
   station::Profile profile;
   if (!file.empty()) profile = valueOrFail(station::loadProfile(file));
-  assign(profile);
+  assign(profile, together);
   return profile;
 }
 
@@ -31,11 +31,11 @@ station::Profile ProfileOptions::loadFor(const std::string& touchpad) const {
   if (file.empty()) return load();
   station::TouchpadProfile loaded = valueOrFail(station::loadProfileFor(file, touchpad));
   if (!loaded.notice.empty()) std::cerr << fmt::format("warning: {}\n", loaded.notice.text());
-  assign(loaded.profile);
+  assign(loaded.profile, Together::checked);
   return std::move(loaded.profile);
 }
 
-void ProfileOptions::assign(station::Profile& profile) const {
+void ProfileOptions::assign(station::Profile& profile, Together together) const {
   const auto parameters = bindParameters(profile);
   const bool fitted = control::checkControlParameters(profile.step.control).has_value();
   for (const std::string& setting : settings) {
@@ -47,6 +47,7 @@ void ProfileOptions::assign(station::Profile& profile) const {
       throw UsageError(say("--set {}", assigned.error().message));
     }
   }
+  if (together == Together::not_yet) return;
   // Those of the file alone are no wrong usage; who uses them says so.
   if (auto checked = control::checkControlParameters(profile.step.control); fitted && !checked) {
     throw UsageError(about("--set", checked.error().message));

@@ -18,8 +18,12 @@ struct ProfileOptions {
   std::vector<std::string> settings;  ///< "id=value"
 
   void addTo(CLI::App& command);
+  /// Whether a setting must agree with the profile's other values.
+  enum class Together { checked, not_yet };
+
   /// The profile with the settings over it. Throws Failure (file) or UsageError (settings).
-  [[nodiscard]] station::Profile load() const;
+  /// @param together not_yet: its calibrated values are not those that are used; loadFor() follows
+  [[nodiscard]] station::Profile load(Together together = Together::checked) const;
   /// The same with the calibrated values of a touchpad (calibrated_values.h); warns on standard error when they are not
   /// those of the file. @param touchpad as in touchpad_name.h
   [[nodiscard]] station::Profile loadFor(const std::string& touchpad) const;
@@ -27,7 +31,7 @@ struct ProfileOptions {
   void warnOfOutdatedParts(const station::Profile& profile) const;
 
  private:
-  void assign(station::Profile& profile) const;
+  void assign(station::Profile& profile, Together together) const;
 };
 
 }  // namespace fyd::cli
