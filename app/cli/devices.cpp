@@ -38,13 +38,6 @@ device::ModbusAddress addressOrUsageError(const std::string& text) {
   return std::move(*address);
 }
 
-std::unique_ptr<device::QbmoveMotors> motorsOrUsageError(const std::string& text,
-                                                         const device::DeviceParameters& parameters) {
-  auto board = device::openMotorBoard(text, parameters);
-  if (!board) throw UsageError(about("--motors", board.error().message));
-  return std::move(*board);
-}
-
 /// One exchange with the motors off.
 Answer askTouchpad(const std::string& text, const device::ModbusAddress& address,
                    const device::DeviceParameters& parameters) {
@@ -69,9 +62,10 @@ Answer askTouchpad(const std::string& text, const device::ModbusAddress& address
   return out;
 }
 
-Answer askMotors(const std::string& text, device::QbmoveMotors& motors) {
-  Answer out{.address = text, .description = motors.description()};
-  const auto feedback = motors.exchange({});
+Answer askMotors(const std::string& text, const device::DeviceParameters& parameters) {
+  const auto motors = valueOrFail(device::openMotorBoard(text, parameters));
+  Answer out{.address = text, .description = motors->description()};
+  const auto feedback = motors->exchange({});
   if (!feedback) {
     out.answers = false;
     out.problem = feedback.error().message;
@@ -123,16 +117,18 @@ void runDevices(DevicesOptions& options) {
   // All words are judged before the first device is asked.
   std::vector<device::ModbusAddress> addresses;
   for (const std::string& text : options.touchpads) addresses.push_back(addressOrUsageError(text));
-  std::vector<std::unique_ptr<device::QbmoveMotors>> boards;
-  for (const std::string& text : options.motors) boards.push_back(motorsOrUsageError(text, parameters));
+  for (const std::string& text : options.motors) {
+    if (const auto good = device::checkMotorsName(text); !good)
+      throw UsageError(about("--motors", good.error().message));
+  }
   const auto ports = device::findSerialPorts();
   const auto cameras = device::findCaptureDevices();
   std::vector<Answer> answers;
-  answers.reserve(addresses.size() + boards.size() + options.cameras.size());
+  answers.reserve(addresses.size() + options.motors.size() + options.cameras.size());
   for (std::size_t i = 0; i < addresses.size(); ++i) {
     answers.push_back(askTouchpad(options.touchpads[i], addresses[i], parameters));
   }
-  for (std::size_t i = 0; i < boards.size(); ++i) answers.push_back(askMotors(options.motors[i], *boards[i]));
+  for (const std::string& text : options.motors) answers.push_back(askMotors(text, parameters));
   for (const std::string& source : options.cameras) answers.push_back(askCamera(source, parameters));
 
   nlohmann::ordered_json json = {

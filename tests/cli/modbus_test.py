@@ -144,6 +144,13 @@ class Devices(fyd.Case):
             with self.assertRaises(TimeoutError):
                 touchpad.accept()
 
+    def test_a_board_that_is_named_twice_is_asked_twice(self):
+        simulator = Simulator(self, qbmove=True)
+        os.symlink(simulator.qbmove, self.path("link"))
+        names = ["qbmove:" + simulator.qbmove, "qbmove:" + self.path("link")]
+        asked = self.json("devices", "--json", "--set", "device.qbmove_timeout_ms=200", "--motors", names[0], "--motors", names[1])["asked"]
+        self.assertEqual([(each["address"], each["answers"]) for each in asked], [(name, True) for name in names])
+
     def test_it_asks_a_camera_for_a_picture_and_says_what_became_of_its_controls(self):
         simulator = Simulator(self, camera=True)
         done = fyd.run("devices", "--json", "--camera", simulator.camera, "--camera", self.path("none.avi"), "--set", "device.camera_brightness_percent=100")
