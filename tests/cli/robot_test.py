@@ -182,7 +182,8 @@ class WrongOptions(fyd.Case):
                 self.assertIn(f"{option} 127.0.0.1:0: no port", self.refused(2, *command, option, "127.0.0.1:0"))
         for option, command in (("--connect", ("robot",)), ("--connect", ("sim", "robot")), ("--remote", ("sim", "krc"))):
             with self.subTest(command=command):
-                self.assertIn("both must be IPv4 or both IPv6", self.refused(2, *command, option, "[::1]:3490"))
+                self.assertRegex(self.refused(2, *command, option, "[::1]:3490"),
+                                 rf"--bind 127\.0\.0\.\d:\d+ cannot send to {option} \[::1\]:3490: both must be IPv4 or both IPv6")
 
     def test_a_failed_operation_exits_with_1(self):
         network = ("sim", "network", "--listen", "127.0.0.1:0", "--forward", "127.0.0.1:9", "--profile")

@@ -156,7 +156,7 @@ device::RobotRunnerOptions runnerOptions(const EndOptions& given, std::string_vi
   device::RobotRunnerOptions options;
   options.touchpad = partnerOrUsageError("--connect", given.connect);
   options.bind = endpointOrUsageError("--bind", given.bind);
-  requireOneFamily(options.bind, options.touchpad);
+  requireOneFamily({"--bind", options.bind}, {"--connect", options.touchpad});
   options.rate_Hz = given.rate_Hz;
   const auto reference = numbersOrUsageError("--motor-reference", given.motor_reference, 2);
   options.motor_reference = {.first_ticks = reference[0], .second_ticks = reference[1]};

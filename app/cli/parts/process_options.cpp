@@ -22,10 +22,10 @@ protocol::Endpoint partnerOrUsageError(const std::string& option, const std::str
   return partner;
 }
 
-void requireOneFamily(const protocol::Endpoint& own, const protocol::Endpoint& partner) {
-  if (own.v6 == partner.v6) return;
-  throw UsageError(say("{} cannot send to {}: both must be IPv4 or both IPv6", protocol::toString(own),
-                       protocol::toString(partner)));
+void requireOneFamily(const GivenEndpoint& own, const GivenEndpoint& partner) {
+  if (own.endpoint.v6 == partner.endpoint.v6) return;
+  throw UsageError(say("{} {} cannot send to {} {}: both must be IPv4 or both IPv6", own.option,
+                       protocol::toString(own.endpoint), partner.option, protocol::toString(partner.endpoint)));
 }
 
 double numberOrUsageError(const std::string& option, std::string_view text) {

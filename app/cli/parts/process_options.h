@@ -18,8 +18,13 @@ namespace fyd::cli {
 [[nodiscard]] protocol::Endpoint endpointOrUsageError(const std::string& option, const std::string& text);
 /// The same for an address to send to: one without a port cannot be.
 [[nodiscard]] protocol::Endpoint partnerOrUsageError(const std::string& option, const std::string& text);
+/// An address and the option that it was given by.
+struct GivenEndpoint {
+  std::string_view option;
+  protocol::Endpoint endpoint;
+};
 /// UsageError when one is of IPv4 and the other of IPv6: the one cannot send to the other.
-void requireOneFamily(const protocol::Endpoint& own, const protocol::Endpoint& partner);
+void requireOneFamily(const GivenEndpoint& own, const GivenEndpoint& partner);
 /// Exactly `count` finite numbers, separated by commas.
 [[nodiscard]] std::vector<double> numbersOrUsageError(const std::string& option, std::string_view text,
                                                       std::size_t count);

@@ -107,7 +107,7 @@ Addresses addressesOf(const FenceOptions& options) {
   Addresses out{.own = endpointOrUsageError("--listen", options.listen), .peer = {}};
   if (options.peer.empty()) return out;
   out.peer = partnerOrUsageError("--peer", options.peer);
-  requireOneFamily(out.own, *out.peer);
+  requireOneFamily({"--listen", out.own}, {"--peer", *out.peer});
   return out;
 }
 

@@ -62,7 +62,7 @@ void runKrc(const KrcCliOptions& given) {
   sim::KrcOptions options;
   options.remote = partnerOrUsageError("--remote", given.remote);
   options.bind = endpointOrUsageError("--bind", given.bind);
-  requireOneFamily(options.bind, options.remote);
+  requireOneFamily({"--bind", options.bind}, {"--remote", options.remote});
   options.period_ms = given.period_ms;
   options.monitor_for_s = given.monitor_for_s;
   options.arm = simParameters(given.material);
