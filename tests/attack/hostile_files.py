@@ -18,9 +18,9 @@ import time
 import hostile_kinds
 
 FYD = os.environ["FYD"]
-# The catalogue of sessions stays out of the tester's own folders.
+# What programs keep of a user (the catalogue of sessions, profiles) stays out of the tester's own folders.
 HOME = tempfile.TemporaryDirectory()
-os.environ["XDG_DATA_HOME"] = HOME.name
+os.environ |= {"XDG_DATA_HOME": os.path.join(HOME.name, "data"), "XDG_CONFIG_HOME": os.path.join(HOME.name, "config")}
 SECRET = b"root:x:0:0:what another user keeps for himself:"
 MOST_MEMORY = 1 << 30       # bytes that a command may really use; a usual one takes some 60 MB
 MOST_WAIT_s = 120           # far beyond any sound end: a command that hangs is stopped here

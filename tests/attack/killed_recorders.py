@@ -155,5 +155,6 @@ def main():
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as home:
-        os.environ["XDG_DATA_HOME"] = home  # the catalogue of sessions stays out of the tester's own folders
+        # What programs keep of a user (the catalogue of sessions, profiles) stays out of the tester's own folders.
+        os.environ |= {"XDG_DATA_HOME": os.path.join(home, "data"), "XDG_CONFIG_HOME": os.path.join(home, "config")}
         sys.exit(main())
