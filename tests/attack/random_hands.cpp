@@ -24,7 +24,7 @@
 
 #include "app/console/window/main_window.h"
 #include "app/console/window/places.h"
-#include "tests/temporary_folder.h"
+#include "tests/own_home.h"
 #include "widgets/basics/theme.h"
 
 namespace {
@@ -334,8 +334,7 @@ int main(int argc, char** argv) {
   }
   const int seconds = argc > 2 ? std::atoi(argv[2]) : 10;
   const unsigned seed = argc > 3 ? static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)) : 1;
-  const fyd::Folder home;
-  for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) qputenv(name, home.path().c_str());
+  const fyd::OwnHome home;
   QString recording;
   if (argc > 4) {
     recording = QString::fromStdString(home.file("session.h5"));

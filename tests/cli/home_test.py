@@ -8,6 +8,7 @@ import fyd
 SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's h5py
 ATTACKS = os.path.join(os.environ["FYD_SOURCE_DIR"], "tests", "attack")
 CLI = os.path.dirname(__file__)
+WINDOW = os.environ.get("TEST_WINDOW")
 
 
 class Home(fyd.Case):
@@ -17,7 +18,7 @@ class Home(fyd.Case):
         os.mkdir(home)
         environment = {name: value for name, value in os.environ.items() if not name.startswith("XDG_")} | {"HOME": home}
         done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=fyd.PATIENCE, check=False, **more)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return os.listdir(home)
 
     def test_a_recording_enters_the_users_catalogue(self):
@@ -31,6 +32,11 @@ class Home(fyd.Case):
     def test_tests_of_the_command_line_leave_nothing(self):
         script = "import sys, fyd; sys.exit(fyd.run('station', '--simulate', '--duration', 1, '--record', sys.argv[1]).returncode)"
         self.assertEqual(self.left(SYSTEM_PYTHON, "-c", script, self.path("a.h5"), cwd=CLI), [])
+
+    @unittest.skipUnless(WINDOW, "built without the window")
+    def test_what_the_windows_tests_keep_and_save_is_gone_with_them(self):
+        window = ("env", "QT_QPA_PLATFORM=offscreen", WINDOW)
+        self.assertEqual(self.left(*window, "ConsoleTest", "armingTakesAHoldAndNothingElseArms"), [])
 
 
 if __name__ == "__main__":

@@ -42,7 +42,6 @@ std::vector<pipeline::TelemetrySample> rise(int count, double from_s = 0.0) {
 
 struct CurveFixture : Fixture {
   CurveFixture() {
-    QStandardPaths::setTestModeEnabled(true);
     curves = window->operate()->curves();
     tools = window->operate()->curveTools();
     tools->saver().setFolder(folder.filePath(QStringLiteral("pictures")));

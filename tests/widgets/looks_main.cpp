@@ -4,6 +4,7 @@
 #include "app/console/shell/language.h"
 #include "app/console/tune/tune_page.h"
 #include "app/console/window/places.h"
+#include "tests/own_home.h"
 #include "tests/widgets/device_reports.h"
 #include "tests/widgets/look_check.h"
 #include "tests/widgets/reviewing.h"
@@ -130,6 +131,7 @@ class LooksTest : public QObject {
 }  // namespace fyd::tests
 
 int main(int argc, char** argv) {
+  const fyd::OwnHome home;
   QApplication application(argc, argv);
   fyd::tests::LooksTest test;
   return QTest::qExec(&test, argc, argv);

@@ -1,7 +1,9 @@
+#include "tests/own_home.h"
 #include "tests/widgets/suite.h"
 #include "widgets/basics/theme.h"
 
 int main(int argc, char** argv) {
+  const fyd::OwnHome home;
   QApplication application(argc, argv);
   QLocale::setDefault(QLocale(QStringLiteral("en")));  // whatever the machine speaks
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
@@ -27,10 +29,12 @@ int main(int argc, char** argv) {
                     fyd::tests::makeSceneViewTest,
                     fyd::tests::makeSceneDockTest}) {
     const auto suite = make();
-    // While working on one: its name, or a part of it.
+    // While working on one: its name, or a part of it, and which of its tests.
     if (argc > 1 && !QByteArray(suite->metaObject()->className()).contains(argv[1])) continue;
     // Without Qt's own handler, whose SIGABRT after a watchdog's end never ends.
-    failed += QTest::qExec(suite.get(), {QLatin1String(argv[0]), QStringLiteral("-nocrashhandler")});
+    QStringList words = {QLatin1String(argv[0]), QStringLiteral("-nocrashhandler")};
+    for (int i = 2; i < argc; ++i) words << QString::fromLocal8Bit(argv[i]);
+    failed += QTest::qExec(suite.get(), words);
   }
   return failed == 0 ? 0 : 1;
 }
