@@ -8406,6 +8406,10 @@ Pour commencer : %1</translation>
         <translation>le touchpad simulé</translation>
     </message>
     <message>
+        <source>the station uses %1 of its own accord</source>
+        <translation>la station utilise %1 de sa propre initiative</translation>
+    </message>
+    <message>
         <source>the status word 0x{:04X} names no state</source>
         <translation>le mot d'état 0x{:04X} ne désigne aucun état</translation>
     </message>

@@ -8406,6 +8406,10 @@ Per cominciare: %1</translation>
         <translation>il touchpad simulato</translation>
     </message>
     <message>
+        <source>the station uses %1 of its own accord</source>
+        <translation>la stazione usa %1 di propria iniziativa</translation>
+    </message>
+    <message>
         <source>the status word 0x{:04X} names no state</source>
         <translation>la parola di stato 0x{:04X} non indica uno stato</translation>
     </message>

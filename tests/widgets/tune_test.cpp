@@ -156,6 +156,34 @@ class TuneTest : public QObject {
     QCOMPARE(f.mark("texture.k_vib"), QStringLiteral("•"));
   }
 
+  void aValueThatTheStationRaisedIsShownBesideTheOneAskedFor() {
+    TuneFixture f;
+    constexpr const char* kDelay = "texture.input_delay_ms";
+    const auto said = [&] { return f.page->readback()->table()->item(0, 3)->text(); };
+    f.type(kDelay, QStringLiteral("10"));
+    WAIT_EQUAL(f.mark(kDelay), QStringLiteral("!"));  // no answer
+    f.answer(kDelay, 10.0);                           // late, but there
+    QCOMPARE(f.mark(kDelay), QStringLiteral("•"));
+    QVERIFY(std::as_const(f.model()).find(kDelay)->delivery == widgets::Delivery::confirmed);
+    QTest::keyClick(f.page, Qt::Key_S, Qt::ControlModifier);
+    WAIT_EQUAL(said(), QStringLiteral("confirmed"));
+    f.answer(kDelay, 40.0);  // of its own accord
+    QCOMPARE(f.value(kDelay), 10.0);
+    QVERIFY(!f.model().anyChanged());
+    QCOMPARE(f.mark(kDelay), QStringLiteral("!"));
+    const widgets::TuningRow* row = f.page->list()->row(QLatin1String(kDelay));
+    QVERIFY2(row->mark()->toolTip().contains(QStringLiteral("uses 40")), qPrintable(row->mark()->toolTip()));
+    WAIT_EQUAL(said(), QStringLiteral("differs"));
+    f.answer(kDelay, 45.0);  // and once more
+    QVERIFY2(row->facts().contains(QStringLiteral("uses 45")), qPrintable(row->facts()));
+    f.type(kDelay, QStringLiteral("20"));
+    f.answer(kDelay, 20.0, pipeline::EventKind::parameter_refused);
+    QCOMPARE(f.value(kDelay), 10.0);  // not what was raised, which would be saved
+    f.type(kDelay, QStringLiteral("45"));
+    f.answer(kDelay, 45.0);
+    WAIT_EQUAL(said(), QStringLiteral("confirmed"));
+  }
+
   void everyFieldRefusesBadEntries() {
     TuneFixture f;
     QSignalSpy refused(f.page->list(), &widgets::TuningList::refused);

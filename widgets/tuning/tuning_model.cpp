@@ -75,7 +75,8 @@ void TuningModel::load(std::span<const Parameter> current, std::span<const Param
                            .saved = value,
                            .standard = defaults[i].value(),
                            .was = value,
-                           .confirmed = value});
+                           .confirmed = value,
+                           .held = value});
     parameters_.back().info.field = nullptr;
   }
 }
@@ -177,7 +178,7 @@ void TuningModel::accept(std::string_view id, double value) {
   if (parameter == nullptr) return;
   const bool news = parameter->value != value || parameter->delivery != Delivery::confirmed;
   if (parameter->value != value) parameter->was = parameter->value;
-  parameter->value = parameter->confirmed = value;
+  parameter->value = parameter->confirmed = parameter->held = value;
   parameter->delivery = Delivery::confirmed;
   if (news) emit changed(fromView(id));
 }
@@ -190,8 +191,21 @@ void TuningModel::setDelivery(std::string_view id, Delivery delivery) {
 }
 
 void TuningModel::confirm(std::string_view id, double value) {
-  if (TunedParameter* parameter = entry(id)) parameter->confirmed = value;
+  if (TunedParameter* parameter = entry(id)) parameter->confirmed = parameter->held = value;
   setDelivery(id, Delivery::confirmed);
+}
+
+void TuningModel::hold(std::string_view id, double value) {
+  TunedParameter* parameter = entry(id);
+  if (parameter == nullptr) return;
+  if (value == felt(*parameter)) {
+    confirm(id, value);
+    return;
+  }
+  const bool news = parameter->held != value || parameter->delivery != Delivery::other;
+  parameter->held = value;
+  parameter->delivery = Delivery::other;
+  if (news) emit changed(fromView(id));
 }
 
 void TuningModel::refuse(std::string_view id, const QString& reason) {

@@ -21,6 +21,7 @@ enum class Delivery {
   pending,    ///< no answer yet
   silent,     ///< no answer for too long
   refused,    ///< refused; the value is the one it uses
+  other,      ///< it took it, and uses another of its own accord
 };
 
 struct TunedParameter {
@@ -29,7 +30,8 @@ struct TunedParameter {
   double saved = 0.0;
   double standard = 0.0;   ///< the default
   double was = 0.0;        ///< before its latest change
-  double confirmed = 0.0;  ///< what the station last said it uses
+  double confirmed = 0.0;  ///< the last of those asked for that the station said it uses
+  double held = 0.0;       ///< what the station last said it uses, of its own accord too
   Delivery delivery = Delivery::confirmed;
   QString reason = {};  ///< of a refusal
   [[nodiscard]] bool changed() const { return value != saved; }
@@ -94,6 +96,8 @@ class TuningModel : public QObject {
   /// The station's answer to the value asked for.
   void setDelivery(std::string_view id, Delivery delivery);
   void confirm(std::string_view id, double value);
+  /// The station says what it uses, of its own accord or late: shown beside the value, which stays and is what is saved.
+  void hold(std::string_view id, double value);
   /// The station goes on with the value it last confirmed, and so does the model.
   void refuse(std::string_view id, const QString& reason);
 

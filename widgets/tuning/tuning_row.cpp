@@ -307,7 +307,7 @@ void TuningRow::refresh() {
 
 void TuningRow::refreshMark() {
   const TunedParameter& p = parameter();
-  const bool trouble = p.delivery == Delivery::refused || p.delivery == Delivery::silent;
+  const bool trouble = p.delivery != Delivery::confirmed && p.delivery != Delivery::pending;
   const QString words = deliveryWords(p);
   const QString saved = p.changed() ? tr("Changed; the profile has %1").arg(valueText(p.info, p.saved)) : QString();
   mark_->setText(trouble                           ? QStringLiteral("!")

@@ -61,8 +61,9 @@ QString deliveryWords(const TunedParameter& p) {
     case Delivery::confirmed: return {};
     case Delivery::pending: return tr("sent, not yet confirmed");
     case Delivery::silent:
-      return tr("not confirmed: the station did not answer. It last used %1.").arg(valueText(p.info, p.confirmed));
+      return tr("not confirmed: the station did not answer. It last used %1.").arg(valueText(p.info, p.held));
     case Delivery::refused: return tr("refused: %1").arg(p.reason);
+    case Delivery::other: return tr("the station uses %1 of its own accord").arg(valueText(p.info, p.held));
   }
   return {};
 }

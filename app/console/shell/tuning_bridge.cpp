@@ -75,7 +75,9 @@ void TuningBridge::hear(const pipeline::Event& event) {
     return;
   } else if (own) {
     model_.confirm(name, event.value);
-  } else if (name != station::kInputDelay) {  // that one the network's need has raised: it is not to be saved
+  } else if (name == station::kInputDelay) {  // the network's need has raised it: it is not to be saved
+    model_.hold(name, event.value);
+  } else {
     model_.accept(name, event.value);
   }
 }
