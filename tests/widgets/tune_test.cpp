@@ -525,6 +525,38 @@ class TuneTest : public QObject {
     QVERIFY(!f.page->proposal()->acceptButton()->isEnabled());
   }
 
+  void whatIsAskedAboutAProposalGoesWithIt() {
+    TuneFixture f;
+    f.type("control.ki", QStringLiteral("0.5"));
+    f.page->tabs()->setCurrentWidget(f.page->proposal());
+    f.model().setDoubt([](std::span<const widgets::Setting>) { return QStringLiteral("By the script."); });
+    f.session->changes.clear();
+    const auto accept = [&] {
+      WAIT_FOR(f.page->proposal()->hasProposal());
+      click(f.page->proposal()->acceptButton());
+      QVERIFY(f.model().question());
+    };
+    click(f.page->proposal()->startButton());
+    accept();
+    click(f.page->proposal()->startButton());  // another proposal is wanted
+    QVERIFY(!f.model().question());
+    accept();
+    click(f.page->proposal()->discardButton());
+    QVERIFY(!f.model().question());
+    f.model().applyAnyway();
+    QVERIFY(f.session->changes.empty());
+    // What was asked in its place is about something else.
+    click(f.page->proposal()->startButton());
+    accept();
+    QVERIFY(f.model().change("control.kp", 0.3).has_value());
+    passTimers(20);
+    click(f.page->proposal()->discardButton());
+    QVERIFY(f.model().question());
+    f.model().applyAnyway();
+    QCOMPARE(f.used("control.kp"), 0.3);
+    QCOMPARE(f.used("control.ki"), 0.5);
+  }
+
   void autoTuneCancelledOrDiscardedChangesNothing() {
     TuneFixture f;
     const QSignalSpy proposed(&f.page->study(), &console::LoopStudy::proposed);

@@ -146,6 +146,7 @@ void TuningModel::propose(std::span<const Setting> next, TuningQuestion change) 
     change.apply();
     return;
   }
+  change.number = ++questions_;
   question_ = std::move(change);
   emit questionChanged();
 }

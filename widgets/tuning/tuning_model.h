@@ -48,6 +48,7 @@ struct TuningQuestion {
   double value = 0.0;  ///< that the parameter would take
   QString words = {};  ///< what speaks against it, as a sentence
   std::function<void()> apply = {};
+  int number = 0;  ///< counts the questions, from 1
 };
 
 /// What speaks against using these values beside the others that are felt, as a sentence; empty: nothing.
@@ -143,6 +144,7 @@ class TuningModel : public QObject {
   QUndoStack undo_;
   TuningDoubt doubt_;
   std::optional<TuningQuestion> question_;
+  int questions_ = 0;  ///< asked so far
   bool feeling_saved_ = false;
 };
 

@@ -79,6 +79,7 @@ void GainStudy::connectProposal() {
   connect(&study_, &LoopStudy::proposed, this, &GainStudy::showProposal);
   connect(&study_, &LoopStudy::failed, proposal_, &widgets::TuningProposal::clear);
   connect(proposal_, &widgets::TuningProposal::startAsked, this, [this](int source) {
+    withdrawQuestion();
     response_->clearResponse(TuningResponse::proposed);
     study_.autoTune(sources_.at(static_cast<std::size_t>(source)), context_.session.currentProfile());
   });
@@ -149,18 +150,21 @@ void GainStudy::acceptProposal() {
   for (const TunedGain& gain : kTunedGains) {
     settings.push_back({.id = gain.id, .value = study_.proposal()->proposed.*gain.field});
   }
+  const int before = question();
   if (const auto ok = model_.changeAll(tr("auto-tune"), settings); !ok) {
     context_.tell(widgets::Severity::warning,
                   tr("The proposal was not taken: %1").arg(widgets::coreText(ok.error().message)));
     return;
   }
-  asked_ = model_.question().has_value();
-  if (!asked_) finishAccepted();  // otherwise the proposal stays until it is answered
+  asked_ = question() == before ? 0 : question();
+  if (asked_ == 0) finishAccepted();  // otherwise the proposal stays until it is answered
 }
 
+int GainStudy::question() const { return model_.question() ? model_.question()->number : 0; }
+
 void GainStudy::hearAnswer() {
-  if (!asked_ || model_.question()) return;
-  asked_ = false;
+  if (asked_ == 0 || question() == asked_) return;
+  asked_ = 0;
   const bool applied = study_.proposal() && std::ranges::all_of(kTunedGains, [this](const TunedGain& gain) {
                          const widgets::TunedParameter* tuned = std::as_const(model_).find(gain.id);
                          return tuned != nullptr && tuned->value == study_.proposal()->proposed.*gain.field;
@@ -174,8 +178,13 @@ void GainStudy::finishAccepted() {
   studyValues();
 }
 
+void GainStudy::withdrawQuestion() {
+  const int asked = std::exchange(asked_, 0);
+  if (asked != 0 && question() == asked) model_.leaveAsItIs();
+}
+
 void GainStudy::discardProposal(const QString& words) {
-  asked_ = false;
+  withdrawQuestion();
   study_.discard();
   response_->clearResponse(widgets::TuningResponse::proposed);
   proposal_->clear(words);

@@ -31,8 +31,12 @@ class GainStudy : public QObject {
   void beginAnew();
   void showProposal(const widgets::ResponseView& response);
   void acceptProposal();
-  /// The question about the proposal is answered.
+  /// The number of the model's question; 0: none stands.
+  [[nodiscard]] int question() const;
+  /// The question about the proposal may be answered.
   void hearAnswer();
+  /// What was asked about a proposal that is no more cannot be applied.
+  void withdrawQuestion();
   void finishAccepted();
   void discardProposal(const QString& words);
 
@@ -42,7 +46,7 @@ class GainStudy : public QObject {
   widgets::TuningProposal* proposal_ = nullptr;
   LoopStudy study_;
   std::vector<TuneSource> sources_;
-  bool asked_ = false;  ///< the proposal was accepted, and the model asks whether it is to be applied
+  int asked_ = 0;  ///< number of the model's question whether the accepted proposal is to be applied; 0: none
   std::optional<control::LoopTiming> studied_with_;  ///< none: the motors had not answered
 };
 
