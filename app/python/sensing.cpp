@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 namespace fyd::python {
 namespace {
 
@@ -12,7 +14,8 @@ using sensing::FingerDetection;
 using Detector = Shared<sensing::FingerDetector>;
 using Pixels = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// A picture as the detector takes it: a view, where the pixels of a row follow each other, and a copy otherwise.
+/// A picture as the detector takes it: a view, where the pixels of a row follow each other and no rows overlap, and a
+/// copy otherwise.
 struct Seen {
   py::array kept;
   ImageView view;
@@ -32,7 +35,8 @@ Seen seen(const py::array& picture) {
   const int channels = picture.ndim() == 2 ? 1 : static_cast<int>(picture.shape(2));
   const bool rows_are_dense =
       picture.strides(1) == channels && (picture.ndim() == 2 || channels == 1 || picture.strides(2) == 1);
-  Seen out{rows_are_dense ? picture : py::array(Pixels::ensure(picture)), {}};
+  const bool rows_are_apart = std::abs(picture.strides(0)) >= picture.shape(1) * channels;
+  Seen out{rows_are_dense && rows_are_apart ? picture : py::array(Pixels::ensure(picture)), {}};
   out.view = {.data = static_cast<const std::uint8_t*>(out.kept.data()),
               .width = static_cast<int>(out.kept.shape(1)),
               .height = static_cast<int>(out.kept.shape(0)),

@@ -12,7 +12,7 @@ struct ImageView {
   const std::uint8_t* data = nullptr;  ///< first sample of the top row
   int width = 0;                       ///< px
   int height = 0;                      ///< px
-  std::ptrdiff_t stride = 0;           ///< bytes from a row to the next
+  std::ptrdiff_t stride = 0;           ///< bytes from a row to the next; ±width·channels or more: rows do not overlap
   int channels = 1;                    ///< 1: grey; 3: blue, green, red
 
   [[nodiscard]] bool empty() const { return data == nullptr || width <= 0 || height <= 0; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "core/sensing/finger_adaptive.h"
@@ -43,6 +44,7 @@ FingerDetection FingerDetector::detect(const ImageView& picture) {
   s.seen = false;
   FingerDetection out;
   if (picture.empty() || (picture.channels != 1 && picture.channels != 3)) return out;
+  if (std::abs(picture.stride) < std::ptrdiff_t{picture.width} * picture.channels) return out;
 
   constexpr int kSmallest_px = 16;
   const FingerParameters& p = s.parameters;

@@ -37,6 +37,7 @@ class FYD_API FingerDetector {
   /// Live changes; the learned light and the last finger are kept unless the region or the mode changes.
   void configure(const FingerParameters& parameters);
 
+  /// no_picture for one without pixels, of other channels, with rows that overlap, or with too small a region.
   [[nodiscard]] FingerDetection detect(const ImageView& picture);
 
   /// Forgets light and last finger, as for a picture on its own.

@@ -51,6 +51,25 @@ def test_any_layout_of_the_same_pixels_gives_the_same():
     assert repr(fyd.FingerDetector().detect(upside_down[::-1])) == wanted
 
 
+@pytest.mark.parametrize("mode", ["adaptive", "thesis"])
+@pytest.mark.parametrize("colour", [False, True])
+def test_rows_that_overlap_or_run_upwards_are_looked_at_as_their_copy(mode, colour):
+    """Rows in the memory of other rows, as NumPy's views have them: nothing beyond that memory is read."""
+    strip = np.where(np.abs(np.arange(320 + 239) - 200) < 20, 90, 210).astype(np.uint8)
+    if colour:
+        strip = np.stack([strip, strip // 2, strip // 3 * 2], axis=1)
+    slid = np.lib.stride_tricks.sliding_window_view(strip, 320, axis=0)
+    slid = np.moveaxis(slid, 2, 1) if colour else slid
+    same = np.broadcast_to(strip[:320], (240, *strip[:320].shape))
+    for view in (slid, same, slid.copy()[::-1]):
+        assert view.shape[:2] == (240, 320)
+        detector, of_copy = (fyd.FingerDetector(fyd.Parameters({"sensing.finger_mode": mode})) for _ in range(2))
+        for found, wanted in ((detector.detect(view), of_copy.detect(view.copy())),
+                              (detector.detect_all([view])["area_px"], of_copy.detect_all([view.copy()])["area_px"])):
+            assert repr(found) == repr(wanted)
+        assert of_copy.detect(view.copy()).area_px > 0
+
+
 def test_a_colour_picture_is_looked_at_as_grey():
     grey = picture(120.0, 100.0)
     found = fyd.FingerDetector().detect(np.repeat(grey[:, :, None], 3, axis=2))

@@ -178,6 +178,24 @@ TEST(AdaptiveFinger, NamesWhatIsWrongWithAPicture) {
   EXPECT_EQ(detector.detect(edge.view()).reason, FingerReason::at_edge);
 }
 
+TEST(FingerDetector, TakesNoPictureWhoseRowsOverlap) {
+  for (const FingerMode mode : {FingerMode::adaptive, FingerMode::thesis}) {
+    for (const int channels : {1, 3}) {
+      Picture picture(200, 320, 240, channels);
+      picture.disc(150, 120, 20, 60);
+      FingerParameters parameters;
+      parameters.mode = mode;
+      FingerDetector detector(parameters);
+      ASSERT_NE(detector.detect(picture.view()).reason, FingerReason::no_picture);
+      ImageView view = picture.view();
+      for (const std::ptrdiff_t stride : {std::ptrdiff_t{0}, view.stride - 1, 1 - view.stride}) {
+        view.stride = stride;
+        EXPECT_EQ(detector.detect(view).reason, FingerReason::no_picture) << stride;
+      }
+    }
+  }
+}
+
 TEST(AdaptiveFinger, FindsAFingerOnAnOverexposedCloth) {
   Picture picture(255);
   picture.disc(140, 110, 18, 90);
