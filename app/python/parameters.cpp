@@ -38,7 +38,7 @@ void update(ParameterSet& set, const py::dict& values) {
   // All or nothing: tried on a copy first.
   const ParameterSet trial(set.values());
   for (const auto& [id, value] : values) assign(trial.find(idOf(id)), value);
-  for (const auto& [id, value] : values) assign(set.find(idOf(id)), value);
+  set.take(trial.values());
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ class ParameterSet {
   /// @throws Refusal when there is none
   [[nodiscard]] const Parameter& find(const std::string& id) const;
 
+  void take(const pipeline::Parameters& values) { *values_ = values; }
  private:
   std::unique_ptr<pipeline::Parameters> values_;  // bound_ points into it
   std::vector<Parameter> bound_;

@@ -120,6 +120,18 @@ def test_a_list_holds_numbers_and_no_more_than_it_may():
     assert parameters[lists] == before
 
 
+def test_a_list_may_be_any_iterable():
+    lists = next(name for name in fyd.Parameters() if fyd.Parameters.info(name).kind == "list")
+    wanted = (fyd.Parameters.info(lists).minimum,) * 3
+    parameters = fyd.Parameters({lists: iter(wanted)})
+    assert parameters[lists] == wanted
+    parameters[lists] = (value for value in wanted[:2])
+    assert parameters[lists] == wanted[:2]
+    parameters.update({lists: np.array(wanted), "control.kp": 2.0})
+    parameters.update({lists: map(float, wanted)})
+    assert parameters[lists] == wanted and parameters["control.kp"] == 2.0
+
+
 def test_several_are_set_together_or_not_at_all():
     parameters = fyd.Parameters()
     before = parameters["control.kp"]
