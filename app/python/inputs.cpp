@@ -7,7 +7,7 @@ namespace {
 
 using pipeline::Inputs;
 
-/// A list of the inputs as a Python list; it is set as a whole.
+/// A list of the inputs as a Python tuple, for what is appended to a copy would be lost; it is set as a whole.
 template <class Get>
 void addList(py::class_<Inputs>& type, const char* name, const char* help, Get get) {
   using List = std::remove_cvref_t<decltype(get(std::declval<Inputs&>()))>;
@@ -16,7 +16,7 @@ void addList(py::class_<Inputs>& type, const char* name, const char* help, Get g
       name,
       [get](Inputs& inputs) {
         const List& list = get(inputs);
-        return std::vector<Item>(list.begin(), list.end());
+        return py::tuple(py::cast(std::vector<Item>(list.begin(), list.end())));
       },
       [get, name](Inputs& inputs, const std::vector<Item>& items) {
         List list;
@@ -50,16 +50,19 @@ void addInputs(py::module_& module) {
       },
       py::return_value_policy::reference_internal, "Where the robot wants the motors [tick]");
   addList(
-      type, "accelerations", "Samples that came since the last step, a list of AccelerationSample [g]",
+      type, "accelerations", "Samples that came since the last step, a tuple of AccelerationSample, set as a whole [g]",
       [](Inputs & inputs) -> auto& { return inputs.robot.accelerations; });
   addList(
-      type, "robot_commands", "Commands of the robot's operator since the last step [—]",
+      type, "robot_commands",
+      "Commands of the robot's operator since the last step, a tuple of RobotCommand, set as a whole [—]",
       [](Inputs & inputs) -> auto& { return inputs.robot.commands; });
   addList(
-      type, "commands", "Commands of the operator since the last step, a list of OperatorCommand [each in its unit]",
+      type, "commands",
+      "Commands of the operator since the last step, a tuple of OperatorCommand, set as a whole [each in its unit]",
       [](Inputs & inputs) -> auto& { return inputs.commands; });
   addList(
-      type, "changes", "Live parameters changed since the last step, a list of ParameterChange [each in its unit]",
+      type, "changes",
+      "Live parameters changed since the last step, a tuple of ParameterChange, set as a whole [each in its unit]",
       [](Inputs & inputs) -> auto& { return inputs.changes; });
   type.def(
       "copy", [](const Inputs& inputs) { return inputs; }, "The same inputs once more. Units: none.");

@@ -74,7 +74,10 @@ void addSurfaces(py::module_& module) {
       .def_readwrite("reference_force_N", &SurfaceModel::reference_force_N, "Force at which the bands hold [N]")
       .def_readwrite("speed_exponent", &SurfaceModel::speed_exponent, "How the amplitude grows with speed [1]")
       .def_readwrite("force_exponent", &SurfaceModel::force_exponent, "How the amplitude grows with force [1]")
-      .def_readwrite("bands", &SurfaceModel::bands, "A list of SurfaceBand; it is set as a whole [each in its unit]")
+      .def_property(
+          "bands", [](const SurfaceModel& surface) { return py::tuple(py::cast(surface.bands)); },
+          [](SurfaceModel& surface, const std::vector<SurfaceBand>& bands) { surface.bands = bands; },
+          "A tuple of SurfaceBand, set as a whole [each in its unit]")
       .def_static(
           "from_text",
           [](const std::string& text, const std::string& name) { return valid(texture::parseSurface(text, name)); },

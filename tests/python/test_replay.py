@@ -199,4 +199,18 @@ def test_inputs_of_a_wrong_type_or_number_are_named():
         inputs.motors.encoder_counts = [70_000, 0]
     with pytest.raises(fyd.InvalidValue, match="commands: 17 items; at most 16"):
         inputs.commands = [fyd.OperatorCommand()] * 17
-    assert inputs.ir.counts == () and inputs.commands == []
+    assert inputs.ir.counts == () and inputs.commands == ()
+
+
+@pytest.mark.parametrize("name, one", [("commands", fyd.OperatorCommand(action=fyd.OperatorAction.stop)),
+                                       ("changes", fyd.ParameterChange(index=1, value=2)),
+                                       ("accelerations", fyd.AccelerationSample(z_g=1)),
+                                       ("robot_commands", fyd.RobotCommand.resume)])
+def test_a_list_of_the_inputs_is_set_as_a_whole(name, one):
+    """What is appended would go into a copy, and a stop would never arrive."""
+    inputs = fyd.Inputs()
+    with pytest.raises(AttributeError):
+        getattr(inputs, name).append(one)
+    setattr(inputs, name, [one])
+    setattr(inputs, name, (*getattr(inputs, name), one))
+    assert [repr(each) for each in getattr(inputs, name)] == [repr(one)] * 2
