@@ -35,7 +35,7 @@ Described describedParameter(const std::string& id) {
 }
 
 void update(ParameterSet& set, const py::dict& values) {
-  // All or nothing: tried on a copy first.
+  // All or nothing: on a copy first. Each value is looked at once, for an iterator has nothing for a second look.
   const ParameterSet trial(set.values());
   for (const auto& [id, value] : values) assign(trial.find(idOf(id)), value);
   set.take(trial.values());
@@ -131,6 +131,16 @@ py::object valueOf(const Parameter& parameter) {
   py::tuple out(parameter.list().size());
   for (std::size_t i = 0; i < parameter.list().size(); ++i) out[i] = parameter.list()[i];
   return out;
+}
+
+std::optional<std::string> idAt(std::uint16_t index) {
+  const ParameterSet fresh;
+  if (index >= fresh.bound().size()) return std::nullopt;
+  return std::string(fresh.bound()[index].id);
+}
+
+std::optional<std::string> idOfEvent(const pipeline::Event& event) {
+  return event.namesParameter() ? idAt(event.index) : std::nullopt;
 }
 
 pipeline::Parameters orDefaults(const ParameterSet* parameters) {

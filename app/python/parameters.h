@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/python/common.h"
+#include "core/pipeline/outputs.h"
 #include "core/pipeline/parameters.h"
 
 namespace fyd::python {
@@ -16,8 +17,8 @@ class ParameterSet {
   [[nodiscard]] const std::vector<Parameter>& bound() const { return bound_; }
   /// @throws Refusal when there is none
   [[nodiscard]] const Parameter& find(const std::string& id) const;
-
   void take(const pipeline::Parameters& values) { *values_ = values; }
+
  private:
   std::unique_ptr<pipeline::Parameters> values_;  // bound_ points into it
   std::vector<Parameter> bound_;
@@ -30,6 +31,13 @@ class ParameterSet {
 /// @throws Refusal with id, value and range
 void assign(const Parameter& parameter, const py::handle& value);
 [[nodiscard]] py::object valueOf(const Parameter& parameter);
+/// "control.kp" by its number, as the library counts the step's parameters; none: it has no such parameter.
+[[nodiscard]] std::optional<std::string> idAt(std::uint16_t index);
+/// Of the parameter that an event names, if it names one.
+[[nodiscard]] std::optional<std::string> idOfEvent(const pipeline::Event& event);
+inline constexpr const char* kIdOfEvent =
+    "Id of the parameter that changed or was refused; None: it is another event, or this library has no such parameter "
+    "[—]";
 /// Parameters of None are the defaults.
 [[nodiscard]] pipeline::Parameters orDefaults(const ParameterSet* parameters);
 

@@ -6,6 +6,7 @@
 #include "app/python/described.h"
 #include "app/python/parameters.h"
 #include "core/recording/reader/recorded_profile.h"
+#include "core/recording/reader/recording_health.h"
 
 namespace fyd::python {
 namespace {
@@ -134,6 +135,14 @@ void addInfo(py::module_& module) {
       .def_property_readonly(
           "damage", [](const RecordingInfo& info) { return textOf(info.damage.text()); },
           "What is damaged; empty: nothing [—]")
+      .def_property_readonly(
+          "why_not_exact", [](const RecordingInfo& info) { return textOf(recording::whyNoExactReplay(info).text()); },
+          "What of the steps is lost, so that they cannot come out bit for bit again; empty: nothing [—]")
+      .def_property_readonly(
+          "arithmetic", [](const RecordingInfo& info) { return info.header.arithmetic; },
+          fmt::format("Of the step that was recorded; bit for bit it comes out of the same one only, here {} [1]",
+                      pipeline::kArithmetic)
+              .c_str())
       .def_readonly("missing_columns", &RecordingInfo::missing_columns,
                     "Columns that this library has and the file has not: read as a new value has them [—]")
       .def_property_readonly(
@@ -192,6 +201,8 @@ void addRecordings(py::module_& module) {
   using recording::EventRow;
   py::class_<EventRow> event(module, "EventRow", "What a step reported, with its time.");
   describe(event);
+  event.def_property_readonly(
+      "id", [](const EventRow& row) { return idOfEvent(row.event); }, kIdOfEvent);
   py::class_<recording::LinkRow> link(module, "LinkRow", "The robot's link, as it was once a second.");
   describe(link);
   py::class_<LoggedNote>(module, "Note", "A line of the recording's own log.")
@@ -209,7 +220,9 @@ void addRecordings(py::module_& module) {
           "compressed, perhaps of an earlier picture. None: there is none [grey value, 0 to 255]")
       .def_property_readonly(
           "region", [](const RecordedPicture& picture) { return pictureArray(picture.region); },
-          "The region of interest exactly as the detector saw it [grey value, 0 to 255]")
+          "The region of interest exactly as the detector saw it. None: it lay outside of the picture [grey value, 0 "
+          "to "
+          "255]")
       .def_property_readonly(
           "region_px",
           [](const RecordedPicture& picture) {
@@ -220,7 +233,11 @@ void addRecordings(py::module_& module) {
       .def_readonly("finger", &RecordedPicture::finger, "What the detector said [each in its unit]");
   using recording::StepRecord;
   py::class_<StepRecord>(module, "RecordedStep", "What went into a step and what came out.")
-      .def_readonly("inputs", &StepRecord::inputs, "As the step had them [each in its unit]")
+      .def_property_readonly(
+          "missing", [](const StepRecord& step) { return py::tuple(py::cast(recording::missingTables(step))); },
+          "Paths of the tables that a recovered recording lost for this step: what they held is as if nothing had ever "
+          "come. Empty: none [—]")
+      .def_readonly("inputs", &StepRecord::inputs, "As the step had them, but for what is `missing` [each in its unit]")
       .def_readonly("motors", &StepRecord::motors, "As written to the motors [each in its unit]")
       .def_readonly("telemetry", &StepRecord::telemetry, "The step's sample [each in its unit]")
       .def_property_readonly(

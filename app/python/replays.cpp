@@ -62,7 +62,7 @@ void addReplay(py::module_& module) {
       .def_property_readonly("of", of(&R::of), "Steps recorded [1]")
       .def_property_readonly("gaps", of(&R::gaps), "Steps the recording lost; the replay ends at the first gap [1]")
       .def_property_readonly(
-          "why_not_exact", [](const Replayed& r) { return r.result.why_not_exact.text(); },
+          "why_not_exact", [](const Replayed& r) { return textOf(r.result.why_not_exact.text()); },
           "What is lost in the recording, so that nothing can be proven; empty: nothing [—]")
       .def_property_readonly("different", of(&R::different), "Steps that differ [1]")
       .def_property_readonly("out_of_range", of(&R::out_of_range), "Parameters with a value beyond today's range [—]")

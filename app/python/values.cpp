@@ -1,5 +1,6 @@
 // The values that go into the step and come out of it, and the numbers that stand for words.
 #include "app/python/described.h"
+#include "app/python/parameters.h"
 #include "core/pipeline/inputs.h"
 #include "core/pipeline/outputs.h"
 #include "core/recording/recording_types.h"
@@ -77,10 +78,11 @@ void addEnums(py::module_& module) {
 }
 
 template <class T>
-void addDescribed(py::module_& module, const char* name, const char* help) {
+py::class_<T> addDescribed(py::module_& module, const char* name, const char* help) {
   py::class_<T> type(module, name, help);
   describe(type);
   type.def(byNames<T>(), "From values by their names; the others keep their defaults. Units: those in `units`.");
+  return type;
 }
 
 /// An input with its time: `count` is 0 until the first value.
@@ -108,9 +110,12 @@ void addValues(py::module_& module) {
   addDescribed<sensing::FingerDetection>(module, "FingerDetection", "What the finger detector says of a picture.");
   addDescribed<control::MotorCommand>(module, "MotorCommand", "What is written to the two motors.");
   addDescribed<TelemetrySample>(module, "TelemetrySample", "One sample of each step; NaN: no value.");
-  addDescribed<Event>(module, "Event", "What a step reports.");
+  addDescribed<Event>(module, "Event", "What a step reports.").def_property_readonly("id", &idOfEvent, kIdOfEvent);
   addDescribed<OperatorCommand>(module, "OperatorCommand", "A command of the operator.");
-  addDescribed<ParameterChange>(module, "ParameterChange", "A live parameter's new value.");
+  addDescribed<ParameterChange>(module, "ParameterChange", "A live parameter's new value.")
+      .def_property_readonly(
+          "id", [](const ParameterChange& change) { return idAt(change.index); },
+          "Id of the parameter; None: this library has no such parameter [—]");
   addDescribed<texture::AccelerationSample>(module, "AccelerationSample", "A sample of the robot's accelerometer.");
   addTimed<sensing::FingerDetection>(module, "FingerInput", "The newest picture's result, with its time.");
   addTimed<sensing::IrCounts>(module, "IrInput", "The newest codes of the distance sensors, with their time.");

@@ -32,7 +32,8 @@ struct OperatorCommand {
   }
 };
 
-/// A live parameter's new value; `index` counts as in bindParameters(Parameters&).
+/// A live parameter's new value; `index` counts as bindParameters(Parameters&) does in this library. A file counts as
+/// its own profile does: who reads it (Recording::step) translates, to 0xFFFF where there is no such parameter here.
 struct ParameterChange {
   std::uint16_t index = 0;
   double value = 0.0;
@@ -40,7 +41,9 @@ struct ParameterChange {
   static constexpr auto fields() {
     return std::tuple(
         Field("value", "1", "new value in the parameter's own unit", &ParameterChange::value),
-        Field("index", "1", "line of the file's own profile, its parameters counted from 0", &ParameterChange::index));
+        Field("index", "1",
+              "the parameter's line in the file's own profile, from 0; as read, its number here, 65535: none",
+              &ParameterChange::index));
   }
 };
 

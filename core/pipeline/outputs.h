@@ -25,8 +25,13 @@ struct Event {
   EventKind kind = EventKind::state_changed;
   SafetyState state = SafetyState::disconnected;
   Fault fault = Fault::none;
-  std::uint16_t index = 0;
+  std::uint16_t index = 0;  ///< of an event that names a parameter: as in ParameterChange
   double value = 0.0;
+
+  /// Whether `index` is a parameter's.
+  [[nodiscard]] constexpr bool namesParameter() const {
+    return kind == EventKind::parameter_changed || kind == EventKind::parameter_refused;
+  }
 
   static constexpr auto fields() {
     return std::tuple(Field("value", "1", "of the event, where it has one", &Event::value),

@@ -8,7 +8,8 @@
 namespace fyd::recording {
 
 struct StepRecord {
-  /// Tables (bit indexOf(Table)) whose rows for this step are lost; the members they fill are as if nothing had come.
+  /// A bit for each table whose rows for this step are lost, which `missingTables` names; 0: none. The members they fill
+  /// are a new record's, as if nothing had ever come.
   std::uint32_t missing = 0;
   pipeline::Inputs inputs;
   control::MotorCommand motors;

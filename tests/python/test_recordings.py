@@ -8,7 +8,7 @@ import zlib
 import h5py
 import numpy as np
 import pytest
-from conftest import GOLDEN, changed_copy
+from conftest import GOLDEN, changed_copy, program
 
 import fyd
 
@@ -214,7 +214,8 @@ def test_what_is_no_recording_is_named(tmp_path):
 
 def fixed_text(file, name, text):
     """Any bytes, which h5py would not write as a string."""
-    del file[name]
+    if name in file:
+        del file[name]
     kind = h5py.h5t.C_S1.copy()
     kind.set_size(len(text))
     kind.set_strpad(h5py.h5t.STR_NULLPAD)
@@ -239,6 +240,73 @@ def test_bytes_that_are_no_text_are_shown_all_the_same(tmp_path):
         fyd.open(os.fsdecode(path.replace(b"x", b"y")))
 
 
+def test_a_reason_that_is_no_text_is_shown_all_the_same(tmp_path):
+    path = tmp_path / "lost.h5"
+    with changed_copy(GOLDEN / "classic.h5", path) as file:
+        fixed_text(file, "header/missing", b"/inputs/ir 3 1 \xff\n")
+    with fyd.open(path) as recording:
+        assert "/inputs/ir" in recording.info.why_not_exact and "�" in recording.info.why_not_exact
+        assert recording.replay().why_not_exact == recording.info.why_not_exact
+
+
+@pytest.mark.parametrize("arithmetic", [1, 2])
+def test_a_parameter_that_changed_is_named(arithmetic):
+    """The file's own numbers are those of its profile's lines, the library's those of its parameters."""
+    path = GOLDEN.with_name(f"arithmetic_{arithmetic}") / "changes.h5"
+    with h5py.File(path) as file:
+        events, changes, profile = file["events"][:], file["inputs/changes"][:], file["header/profile"][()].decode()
+    lines, module = [], ""
+    for line in profile.splitlines():
+        module = line.strip("[]") if line.startswith("[") else module
+        lines += [f"{module}.{line.split(' =')[0]}"] if " = " in line and not line.startswith(("[", "#")) else []
+    named = [lines[row["index"]] if row["kind"] in (4, 5) else None for row in events]
+    known = list(fyd.Parameters())
+    assert len(set(named)) > 4
+    with fyd.open(path) as recording:
+        assert [event.id for event in recording.events] == named
+        assert [known[event.index] for event in recording.events if event.id] == [each for each in named if each]
+        steps = [recording.step(row) for row in range(recording.info.rows)]
+    assert [event.id for step in steps for event in step.events] == named
+    assert [change.id for step in steps for change in step.inputs.changes] == [lines[row["index"]] for row in changes]
+    assert fyd.ParameterChange(index=65535).id is None and fyd.ParameterChange(index=0).id == known[0]
+
+
+def flip_a_bit(source, path, table, row):
+    """In the middle of the chunk that begins with this row."""
+    with h5py.File(source) as file:
+        chunk = file[table].id.read_direct_chunk((row,))[1]
+    damaged = bytearray(source.read_bytes())
+    assert damaged.count(chunk) == 1
+    damaged[damaged.find(chunk) + len(chunk) // 2] ^= 4
+    path.write_bytes(damaged)
+
+
+def test_a_recovered_recording_says_what_is_lost_of_a_step(tmp_path):
+    path = tmp_path / "lost.h5"
+    flip_a_bit(GOLDEN / "classic.h5", path, "inputs/bridge", 0)
+    assert program("session", "recover", path).returncode == 3
+    with fyd.open(path) as recording, fyd.open(GOLDEN / "classic.h5") as whole:
+        steps = [recording.step(row) for row in range(recording.info.rows)]
+        lost = [row for row, step in enumerate(steps) if step.missing]
+        assert 0 < len(lost) < len(steps) == whole.info.rows
+        assert {steps[row].missing for row in lost} == {("/inputs/bridge",)}
+        assert all(steps[row].inputs.bridge.count == 0 for row in lost)
+        assert "/inputs/bridge" in recording.info.why_not_exact
+        assert not recording.replay().identical
+        # Stepped with them it is another session, and `missing` is what tells.
+        pipelines = recording.pipeline(), whole.pipeline()
+        forces_N = [[pipeline.step(each.step(row).inputs).telemetry.force_N for pipeline, each in
+                     zip(pipelines, (recording, whole))] for row in range(lost[-1] + 1)]
+        assert not np.array_equal(*np.transpose(forces_N), equal_nan=True)
+        assert whole.info.why_not_exact == "" and whole.step(lost[0]).missing == ()
+
+
+def test_the_arithmetic_of_a_recording_is_told(classic):
+    with fyd.open(GOLDEN.with_name("arithmetic_1") / "classic.h5") as older:
+        assert older.info.arithmetic == 1 and not older.replay().identical
+    assert classic.info.arithmetic == 2 and classic.replay().identical
+
+
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.5, 0.9, 0.999])
 def test_a_truncated_file_gives_an_error_or_right_values(tmp_path, share):
     whole = (GOLDEN / "classic.h5").read_bytes()
@@ -255,13 +323,8 @@ def test_a_truncated_file_gives_an_error_or_right_values(tmp_path, share):
 
 
 def test_a_flipped_bit_in_the_telemetry_is_an_error(tmp_path):
-    with h5py.File(GOLDEN / "classic.h5") as file:
-        chunk = file["telemetry"].id.read_direct_chunk((500,))[1]
-    damaged = bytearray((GOLDEN / "classic.h5").read_bytes())
-    assert damaged.count(chunk) == 1
-    damaged[damaged.find(chunk) + len(chunk) // 2] ^= 4
     path = tmp_path / "flipped.h5"
-    path.write_bytes(damaged)
+    flip_a_bit(GOLDEN / "classic.h5", path, "telemetry", 500)
     recording = fyd.open(path)
     with pytest.raises(fyd.Error, match="flipped.h5.*telemetry"):
         _ = recording.telemetry["force_N"]

@@ -60,9 +60,7 @@ bool TuningBridge::settle(const QString& id, double value) {
 }
 
 void TuningBridge::hear(const pipeline::Event& event) {
-  const bool about_parameter =
-      event.kind == pipeline::EventKind::parameter_changed || event.kind == pipeline::EventKind::parameter_refused;
-  if (!about_parameter || event.index >= names_.size()) return;
+  if (!event.namesParameter() || event.index >= names_.size()) return;
   const QString& id = names_[event.index];
   const std::string name = id.toStdString();
   const bool own = settle(id, event.value);

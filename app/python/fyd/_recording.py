@@ -216,8 +216,9 @@ class Recording:
         return self._file.step(row)
 
     def pipeline(self) -> _fyd.Pipeline:
-        """The step as it stood before the first row: stepped with the recorded inputs it gives what was recorded, bit for
-        bit. Units: none.
+        """The step as it stood before the first row. Stepped with the recorded inputs it gives what was recorded, bit for
+        bit, where no row is lost (`info.gaps`, `info.why_not_exact`) and `info.arithmetic` is this library's; for other
+        recordings replay() keeps the last inputs where some are lost, and tells what differs. Units: none.
         """
         return _fyd.Pipeline.of(self._file)
 

@@ -33,7 +33,9 @@ class FYD_API Recording {
   [[nodiscard]] virtual Result<void> telemetry(std::uint64_t first, std::span<pipeline::TelemetrySample> out) const = 0;
   /// One field (index into telemetryFields()) of those rows.
   [[nodiscard]] virtual Result<void> field(std::size_t field, std::uint64_t first, std::span<double> out) const = 0;
-  /// Inputs and outputs of one row, as the step had them: for replay, which goes through rows in order.
+  /// Inputs and outputs of one row, as the step had them: for replay, which goes through rows in order. Its `missing`
+  /// names what a recovered recording lost of them. Parameters are counted as bindParameters(pipeline::Parameters&) does
+  /// in this library; 0xFFFF: one that it does not have.
   [[nodiscard]] virtual Result<StepRecord> step(std::uint64_t row) const = 0;
   /// The first row at or after `time_s`; committed_samples when there is none.
   [[nodiscard]] virtual Result<std::uint64_t> rowAt(double time_s) const = 0;
@@ -46,9 +48,13 @@ class FYD_API Recording {
   [[nodiscard]] virtual Result<RecordedPicture> pictureAt(double time_s) const = 0;
   [[nodiscard]] virtual Result<RecordedPicture> picture(std::uint64_t index) const = 0;
 
+  /// Parameters are counted as in step().
   [[nodiscard]] virtual Result<std::vector<EventRow>> events() const = 0;
   [[nodiscard]] virtual Result<std::vector<Note>> notes() const = 0;
   [[nodiscard]] virtual Result<std::vector<LinkRow>> linkRows() const = 0;
 };
+
+/// Paths of the tables whose rows for this step are lost, such as "/inputs/ir".
+[[nodiscard]] FYD_API std::vector<std::string> missingTables(const StepRecord& record);
 
 }  // namespace fyd::recording

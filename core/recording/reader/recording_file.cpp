@@ -195,9 +195,7 @@ class Hdf5Recording final : public DamagedRecording {
 
   /// Of an event that names a parameter, as this program counts them.
   void translate(pipeline::Event& event) const {
-    if (event.kind == pipeline::EventKind::parameter_changed || event.kind == pipeline::EventKind::parameter_refused) {
-      indices_->translate(event.index, event.value);
-    }
+    if (event.namesParameter()) indices_->translate(event.index, event.value);
   }
 
   void look() {
@@ -307,6 +305,15 @@ Result<std::unique_ptr<Recording>> Recording::open(const std::string& path) {
 Result<std::unique_ptr<DamagedRecording>> DamagedRecording::open(const std::string& path) {
   return guarded(path,
                  [&]() -> std::unique_ptr<DamagedRecording> { return std::make_unique<Hdf5Recording>(path, true); });
+}
+
+std::vector<std::string> missingTables(const StepRecord& record) {
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < kTableCount; ++i) {
+    const auto table = static_cast<Table>(i);
+    if ((record.missing & bitOf(table)) != 0) paths.emplace_back(layoutOf(table).path);
+  }
+  return paths;
 }
 
 }  // namespace fyd::recording

@@ -68,6 +68,7 @@ TEST_F(RecoverMissing, ATableOfOneRow) {
   const auto step = kept->step(all / 2);
   ASSERT_TRUE(step) << step.error().text();
   EXPECT_EQ(step->missing, bitOf(Table::motor_reference));
+  EXPECT_EQ(missingTables(*step), std::vector<std::string>{"/inputs/motor_reference"});
 
   const auto replayed = replay::replay(*kept, {});
   ASSERT_TRUE(replayed) << replayed.error().text();
