@@ -1,4 +1,6 @@
 // The pure step.
+#include <fmt/format.h>
+
 #include "app/python/described.h"
 #include "app/python/parameters.h"
 #include "app/python/recordings.h"
@@ -74,14 +76,20 @@ void addPipeline(py::module_& module) {
           py::init([](const ParameterSet* parameters, const texture::SurfaceModel* surface, const FeltScene* scene) {
             pipeline::LocalModel local;
             if (surface != nullptr) local.surface = checkedSurface(*surface);
-            if (scene != nullptr) local.scene = scene->start();
             const pipeline::Parameters values = orDefaults(parameters);
             valid(control::checkControlParameters(values.control));
+            if (scene != nullptr) {
+              local.scene = scene->start();
+              const double steps_Hz = values.texture.sample_rate_Hz, scene_Hz = local.scene->rate_Hz();
+              if (scene_Hz != steps_Hz)
+                throw Refusal{
+                    fmt::format("scene: opened for {} Hz; expected {} Hz, texture.sample_rate_Hz", scene_Hz, steps_Hz)};
+            }
             return std::make_unique<StepOwner>(values, local);
           }),
           py::arg("parameters") = py::none(), py::arg("surface") = py::none(), py::arg("scene") = py::none(),
-          "With these parameters, and what is felt without a robot: a stored surface, or a scene in the robot's place. "
-          "Units: each parameter's own.")
+          "With these parameters, and what is felt without a robot: a stored surface, or a scene in the robot's place, "
+          "opened for the rate of the steps, texture.sample_rate_Hz. Units: each parameter's own.")
       .def(
           "step",
           [](StepOwner& owner, const Inputs& inputs, const std::optional<py::bytes>& state) {

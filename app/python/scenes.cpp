@@ -217,7 +217,8 @@ void addScenes(py::module_& module) {
             return std::make_unique<FeltScene>(done(sim::openFeltScene(path, rate)));
           },
           py::arg("path"), py::arg("rate_Hz") = 1000.0,
-          "A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz].")
+          "A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz]; in a Pipeline that is its "
+          "texture.sample_rate_Hz.")
       .def_property_readonly(
           "bodies",
           [](FeltScene& scene) {

@@ -5,6 +5,7 @@
 // the sliding speed and the force (core/texture/virtual_texture.h).
 //
 // A copy starts where the original is and shares what does not change: meshes, trees and what contact models prepare.
+// Stability: may change
 #pragma once
 
 #include <memory>
@@ -16,7 +17,7 @@
 
 namespace fyd::scene {
 
-class FeltScene {
+class FYD_API FeltScene {
  public:
   /// Models as measured (chooseModels). @param rate_Hz of the steps. @return an error that names the body
   [[nodiscard]] static Result<FeltScene> build(std::shared_ptr<const LoadedScene> loaded, double rate_Hz);
@@ -36,7 +37,7 @@ class FeltScene {
   [[nodiscard]] const std::shared_ptr<const LoadedScene>& loaded() const { return loaded_; }
   [[nodiscard]] const std::vector<BodyModel>& models() const { return models_; }
   [[nodiscard]] double rate_Hz() const { return rate_Hz_; }
-  /// Of what is felt (scene_digest.h).
+  /// Of what is felt: two scenes with the same digest feel the same.
   [[nodiscard]] const std::string& digest() const { return digest_; }
 
   /// All that the next steps depend on.
