@@ -8970,6 +8970,10 @@ Pour commencer : %1</translation>
         <translation>{} angles ne se distinguent pas par leur raideur et ont été réunis</translation>
     </message>
     <message>
+        <source>{} axes; expected 1 to {}</source>
+        <translation>{} axes ; attendu de 1 à {}</translation>
+    </message>
+    <message>
         <source>{} by the operator. Motors are off. Arm to start again.</source>
         <translation>{} par l'opérateur. Moteurs coupés. Armer pour recommencer.</translation>
     </message>
@@ -9096,6 +9100,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{} points; the camera's height takes at least {}: at the cloth's corners, some on the untouched cloth and some pressed down</source>
         <translation>{} points ; la hauteur de la caméra en demande au moins {} : aux coins du tissu, certains sur le tissu non touché et certains enfoncés</translation>
+    </message>
+    <message>
+        <source>{} positions for {} times; expected one for each</source>
+        <translation>{} positions pour {} temps ; une attendue pour chacun</translation>
     </message>
     <message>
         <source>{} presses; at most {}: take the mean of each press</source>

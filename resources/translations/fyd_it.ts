@@ -8970,6 +8970,10 @@ Per cominciare: %1</translation>
         <translation>{} angoli non si distinguono per rigidezza e sono stati uniti</translation>
     </message>
     <message>
+        <source>{} axes; expected 1 to {}</source>
+        <translation>{} assi; attesi da 1 a {}</translation>
+    </message>
+    <message>
         <source>{} by the operator. Motors are off. Arm to start again.</source>
         <translation>{} dall'operatore. Motori spenti. Armare per ricominciare.</translation>
     </message>
@@ -9096,6 +9100,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{} points; the camera's height takes at least {}: at the cloth's corners, some on the untouched cloth and some pressed down</source>
         <translation>{} punti; per l'altezza della telecamera ne servono almeno {}: agli angoli del tessuto, alcuni sul tessuto non toccato e alcuni premuti in basso</translation>
+    </message>
+    <message>
+        <source>{} positions for {} times; expected one for each</source>
+        <translation>{} posizioni per {} tempi; attesa una per ciascuno</translation>
     </message>
     <message>
         <source>{} presses; at most {}: take the mean of each press</source>

@@ -49,6 +49,14 @@ def test_the_trial_of_order_0_is_the_motion_as_it_was():
     assert better["rms_mm"] < 0.5 * fyd.predict_trial(time_s, position_mm, "order0", period_ms=10, delay_ms=50)["rms_mm"]
 
 
+def test_a_ratio_to_nothing_is_nan():
+    time_s = np.arange(2000) * 0.001
+    still = fyd.predict_trial(time_s, np.zeros((2000, 1)))
+    assert np.isnan(still["vibration_ratio"]) and np.isnan(still["jerk_ratio"]) and still["rms_mm"] == 0
+    slow = fyd.predict_trial(time_s * 10, 30 * np.sin(5 * time_s)[:, None])
+    assert np.isnan(slow["vibration_ratio"]) and np.isfinite(slow["jerk_ratio"])  # 100 rows a second
+
+
 def test_the_same_seed_gives_the_same_network():
     time_s = np.arange(2000) * 0.001
     path = np.sin(5 * time_s)[:, None] * 30

@@ -101,6 +101,10 @@ double Trace::rate_Hz() const {
 }
 
 Result<void> checkTrace(const Trace& trace) {
+  if (trace.axes < 1 || trace.axes > kMostAxes) return fail("{} axes; expected 1 to {}", trace.axes, kMostAxes);
+  if (trace.position_mm.size() != trace.time_s.size()) {
+    return fail("{} positions for {} times; expected one for each", trace.position_mm.size(), trace.time_s.size());
+  }
   if (trace.time_s.size() < 2) return fail("{} rows; expected two and more", trace.time_s.size());
   for (std::size_t i = 0; i < trace.time_s.size(); ++i) {
     if (!std::isfinite(trace.time_s[i]) || (i > 0 && !(trace.time_s[i] > trace.time_s[i - 1]))) {
@@ -114,6 +118,7 @@ Result<void> checkTrace(const Trace& trace) {
 }
 
 Result<void> checkLength(const Trace& trace, double most_s) {
+  if (trace.time_s.empty()) return {};
   if (const double length_s = trace.time_s.back() - trace.time_s.front(); length_s > most_s) {
     return fail("{} s from the first row to the last; expected at most {}: are the times in seconds?", length_s,
                 most_s);

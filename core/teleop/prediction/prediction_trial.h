@@ -33,8 +33,9 @@ struct FYD_API Trace {
 /// A day: what is computed of a trace grows with its time, so that times in another unit must not pass for seconds.
 inline constexpr double kLongestTrace_s = 86'400.0;
 
-/// @return an error naming the row when the times do not rise or are not finite, or when fewer than two rows are given;
-///         or when they last longer than kLongestTrace_s
+/// @return an error naming the row when the times do not rise or are not finite, or a position is infinite; or when
+///         there are fewer than two rows, not as many positions as times, or not 1 to kMostAxes axes; or when they last
+///         longer than kLongestTrace_s
 [[nodiscard]] FYD_API Result<void> checkTrace(const Trace& trace);
 /// @return an error when it lasts longer than this
 [[nodiscard]] FYD_API Result<void> checkLength(const Trace& trace, double most_s);
@@ -66,9 +67,11 @@ struct TrialPlan {
   std::vector<Tick> ticks;
 };
 
+/// @pre checkTrace and checkNetwork find nothing
 [[nodiscard]] FYD_API TrialPlan planTrial(const Trace& trace, const TrialNetwork& network);
 
 /// The predictor's output at each tick.
+/// @pre the plan is this trace's
 /// @param smooth_s the time constant of SmoothOutput; 0: none
 [[nodiscard]] FYD_API std::vector<Position> runTrial(const Trace& trace, const TrialPlan& plan, Predictor& predictor,
                                                      double smooth_s);
@@ -78,11 +81,13 @@ struct TrialFigures {
   double rms_mm = 0.0;
   double mean_mm = 0.0;
   double max_mm = 0.0;
-  double vibration_ratio = 0.0;  ///< 20–200 Hz RMS of the output's velocity over the true motion's; NaN below 1 kHz
+  double vibration_ratio = 0.0;  ///< 20–200 Hz RMS of the output's velocity over the true motion's; NaN below
+                                 ///< 1 kHz, and when that one is 0
   double largest_step_mm = 0.0;  ///< of the output, between two ticks of one motion
   double jerk_ratio = 0.0;       ///< RMS of the third difference over the true motion's; NaN when that one is 0
 };
 
+/// @pre the plan is this trace's, and the output has a position for each of its ticks, as of runTrial
 [[nodiscard]] FYD_API TrialFigures trialFigures(const Trace& trace, const TrialPlan& plan,
                                                 std::span<const Position> output);
 

@@ -132,6 +132,15 @@ TEST(PredictionTrial, WhatIsNoTraceAndNoNetworkIsRefusedByName) {
   EXPECT_TRUE(checkTrace(rows({{-400.0, 1.0}, {86'000.0, 2.0}})));
   EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {6e7, 2.0}})).error().text(), HasSubstr("in seconds?"));
   EXPECT_FALSE(checkTrace(rows({{-1e308, 1.0}, {1e308, 2.0}})));  // further apart than any number
+  Trace uneven = rows({{0.0, 1.0}, {0.1, 2.0}, {0.2, 3.0}});
+  uneven.position_mm.pop_back();
+  EXPECT_THAT(checkTrace(uneven).error().text(), HasSubstr("2 positions for 3 times"));
+  for (const std::size_t axes : {std::size_t{0}, kMostAxes + 1}) {
+    Trace other = rows({{0.0, 1.0}, {0.1, 2.0}});
+    other.axes = axes;
+    EXPECT_THAT(checkTrace(other).error().text(), HasSubstr("axes; expected 1 to 3"));
+  }
+  EXPECT_TRUE(checkLength(Trace(), kLongestTrace_s)) << "without a row it lasts no time";
   EXPECT_THAT(checkNetwork({.period_ms = -1.0}).error().text(), HasSubstr("period -1"));
   EXPECT_THAT(checkNetwork({.delay_ms = kNaN}).error().text(), HasSubstr("delay"));
   EXPECT_THAT(checkNetwork({.jitter_ms = 1e9}).error().text(), HasSubstr("jitter"));
