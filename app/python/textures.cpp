@@ -125,9 +125,11 @@ void addSurfaces(py::module_& module) {
             return arrayOf(std::move(out));
           },
           py::arg("speed_mm_s"), py::arg("force_N"),
-          "The signal [g] for a finger of these speeds [mm/s] and forces [N]; what is negative or no number counts as "
-          "0. "
-          "Other threads go on meanwhile.")
+          fmt::format(
+              "The signal [g] for a finger of these speeds [mm/s] and forces [N]; what is negative or not finite "
+              "counts as 0, more than {} mm/s or {} N as these. Other threads go on meanwhile.",
+              texture::VirtualTexture::kFastest_mm_s, texture::VirtualTexture::kHardest_N)
+              .c_str())
       .def(
           "reset", [](TextureOwner& texture) { texture.run([](texture::VirtualTexture& each) { each.reset(); }); },
           "Back to silence and the seed. Units: none.");
@@ -174,12 +176,19 @@ void addTextures(py::module_& module) {
         texture::TextureParameters parameters;
         const auto bound = bindParameters(parameters);
         const double corner = valid(checkParameter(*findParameter(bound, "texture.corner_Hz"), corner_Hz));
-        const auto c = signal::highPass(corner, checkedRate(rate_Hz));
+        const double highest_Hz = signal::kHighestCorner * checkedRate(rate_Hz);
+        if (corner > highest_Hz)
+          throw Refusal{fmt::format("corner_Hz: {}; expected at most {}, {} of rate_Hz = {}", corner, highest_Hz,
+                                    signal::kHighestCorner, rate_Hz)};
+        const auto c = signal::highPass(corner, rate_Hz);
         return py::make_tuple(py::make_tuple(c.b0, c.b1, c.b2), py::make_tuple(1.0, c.a1, c.a2));
       },
       py::arg("corner_Hz"), py::arg("rate_Hz") = 1000.0,
-      "Coefficients (b, a) of the default filter, a Butterworth high-pass of second order with its corner at "
-      "corner_Hz [Hz], at rate_Hz [Hz].");
+      fmt::format(
+          "Coefficients (b, a) of the default filter, a Butterworth high-pass of second order with its corner at "
+          "corner_Hz [Hz], at rate_Hz [Hz]: at most {} of it.",
+          signal::kHighestCorner)
+          .c_str());
   module.def(
       "welch",
       [](const Numbers& signal, double rate_Hz, int segment) {
@@ -214,7 +223,8 @@ void addTextures(py::module_& module) {
       },
       py::arg("accelerations_g"), py::arg("signal_g"), py::arg("delay_samples") = 0, py::arg("rate_Hz") = 1000.0,
       "How well one signal [g] stands for three axes [g], shape (n, 3): (spectral match [1: equal], its energy over "
-      "theirs [1]). A figure about spectra, never about what a person feels.");
+      "theirs [1]). NaN: the axes hold nothing to compare with, from 20 Hz on for the match, or fewer than 8 rows are "
+      "left after delay_samples. A figure about spectra, never about what a person feels.");
 }
 
 }  // namespace fyd::python

@@ -8,8 +8,10 @@
 
 namespace fyd::texture {
 
+/// Both NaN when fewer than 8 samples are left after the delay.
 struct MatchFigures {
-  double spectral_match = 0.0;  ///< 1 − Σ|√P − √Pref| / Σ√Pref over 20 Hz…Nyquist; 1 is equal, 0 or less is useless
+  /// 1 − Σ|√P − √Pref| / Σ√Pref over 20 Hz…Nyquist; 1 is equal, 0 or less is useless; NaN when the axes are silent there
+  double spectral_match = 0.0;
   double energy_ratio = 0.0;  ///< signal's energy over the three axes' energies together; NaN when those are silent
 };
 

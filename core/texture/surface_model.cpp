@@ -145,8 +145,9 @@ std::string formatSurface(const SurfaceModel& model) {
   out += fmt::format("reference_speed_mm_s = {}\nreference_force_N = {}\nspeed_exponent = {}\nforce_exponent = {}\n",
                      model.reference_speed_mm_s, model.reference_force_N, model.speed_exponent, model.force_exponent);
   for (const SurfaceBand& band : model.bands) {
-    out += band.wavelength_mm > 0.0 ? fmt::format("\n[[band]]\nwavelength_mm = {}\n", band.wavelength_mm)
-                                    : fmt::format("\n[[band]]\nfrequency_Hz = {}\n", band.frequency_Hz);
+    out += "\n[[band]]\n";  // both, or none, as it may be: parseSurface then refuses it
+    if (band.wavelength_mm != 0.0) out += fmt::format("wavelength_mm = {}\n", band.wavelength_mm);
+    if (band.frequency_Hz != 0.0) out += fmt::format("frequency_Hz = {}\n", band.frequency_Hz);
     out += fmt::format("quality = {}\nrms_g = {}\n", band.quality, band.rms_g);
   }
   return out;

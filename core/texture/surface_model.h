@@ -39,7 +39,7 @@ inline constexpr std::size_t kMaximumBands = 32;
 /// @return an error with source name and line: missing or unknown key, wrong type, value out of range
 [[nodiscard]] FYD_API Result<SurfaceModel> parseSurface(std::string_view text, std::string_view source_name);
 
-/// Text that parseSurface reads back equal.
+/// Text that parseSurface reads back equal, or refuses for what no model may have.
 [[nodiscard]] FYD_API std::string formatSurface(const SurfaceModel& model);
 
 struct SurfaceFit {

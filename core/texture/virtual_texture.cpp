@@ -12,8 +12,6 @@ constexpr double kGlide_s = 0.005;
 constexpr double kFullFrom_mm_s = 10.0;  // the end of the rise out of quiet
 constexpr double kFadeFrom = 0.40;       // of the sample rate
 constexpr double kFadeTo = 0.45;
-constexpr double kFastest_mm_s = 1000.0;
-constexpr double kHardest_N = 20.0;
 
 /// 0 at `from`, 1 at `to`, without a corner.
 double smoothRise(double value, double from, double to) {
@@ -21,7 +19,9 @@ double smoothRise(double value, double from, double to) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-double sane(double value, double largest) { return value > 0.0 ? std::min(value, largest) : 0.0; }  // NaN gives 0
+double sane(double value, double largest) {
+  return std::isfinite(value) && value > 0.0 ? std::min(value, largest) : 0.0;
+}
 
 }  // namespace
 

@@ -28,6 +28,9 @@ class FYD_API VirtualTexture {
  public:
   VirtualTexture(const SurfaceModel& model, double sample_rate_Hz, std::uint64_t seed = 1);
 
+  /// The largest speed and force there are: more counts as these.
+  static constexpr double kFastest_mm_s = 1000.0, kHardest_N = 20.0;
+
   /// The next sample of the texture signal, in g. Speed and force that are not finite or negative count as 0;
   /// both glide over 5 ms, so that a camera's steps are not felt.
   [[nodiscard]] double step(double speed_mm_s, double force_N);

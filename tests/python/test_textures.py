@@ -89,8 +89,14 @@ def test_a_surface_s_spectrum_has_its_band():
     assert np.sqrt(np.mean(signal_g**2)) == pytest.approx(0.4, rel=0.05)
     slow = fyd.VirtualTexture(surface).run(np.full(2000, 4.0), np.ones(2000))
     assert (slow == 0).all()  # nothing below 5 mm/s
-    nothing = fyd.VirtualTexture(surface).run([math.nan, -1, math.inf, 1e9] * 100, [math.nan, -1, math.inf, 1e9] * 100)
-    assert np.isfinite(nothing).all()
+    for none in (math.nan, -1, math.inf, -math.inf):
+        assert (fyd.VirtualTexture(surface).run(np.full(500, none), np.ones(500)) == 0).all()
+        assert (fyd.VirtualTexture(surface).run(np.full(500, 40.0), np.full(500, none)) == 0).all()
+    much, most = (fyd.VirtualTexture(surface).run(np.full(500, speed), np.full(500, force))
+                  for speed, force in ((1e9, 1e9), (1000, 20)))
+    assert np.array_equal(much, most) and (most != 0).any()
+    with pytest.raises(AttributeError):
+        surface.bands.append(fyd.SurfaceBand(frequency_Hz=90))  # into a copy
 
 
 def test_the_same_seed_gives_the_same_noise():
@@ -145,12 +151,18 @@ def test_what_cannot_be_fitted_or_rendered_is_told():
         fyd.VirtualTexture(surface).run([1, 2], [1])
     with pytest.raises(fyd.InvalidValue, match="texture.corner_Hz"):
         fyd.high_pass(math.nan)
+    with pytest.raises(fyd.InvalidValue, match=r"corner_Hz: 400; expected at most 24\.5, 0\.49 of rate_Hz = 50"):
+        fyd.high_pass(400, 50)
+    fyd.high_pass(24.5, 50)
     noise = RANDOM.normal(size=(1000, 3))
     for speed_mm_s in (-40, math.nan, 0.5, 1e6):
         with pytest.raises(fyd.InvalidValue, match="speed = .*none when it is unknown"):
             fyd.fit_surface(noise, speed_mm_s=speed_mm_s)
     for change in ({"reference_speed_mm_s": math.nan}, {"reference_speed_mm_s": 0}, {"reference_force_N": -1},
-                   {"speed_exponent": math.inf}, {"bands": []}, {"bands": [fyd.SurfaceBand(frequency_Hz=90, rms_g=1e9)]}):
+                   {"speed_exponent": math.inf}, {"bands": []}, {"bands": [fyd.SurfaceBand(frequency_Hz=90, rms_g=1e9)]},
+                   {"bands": [fyd.SurfaceBand(wavelength_mm=0.4, frequency_Hz=90, rms_g=0.1)]},
+                   {"bands": [fyd.SurfaceBand(wavelength_mm=-0.4, frequency_Hz=90, rms_g=0.1)]},
+                   {"bands": [fyd.SurfaceBand(wavelength_mm=0.4, frequency_Hz=-90, rms_g=0.1)]}):
         wrong = fyd.Surface.from_text(surface.text())
         fyd.Pipeline(surface=wrong)
         for name, value in change.items():
@@ -165,6 +177,10 @@ def test_a_signal_matches_itself():
     axes[:, 0] = RANDOM.normal(size=8000)
     assert fyd.spectral_match(axes, axes[:, 0]) == pytest.approx((1.0, 1.0))
     assert fyd.spectral_match(axes, 2 * axes[:, 0])[1] == pytest.approx(4.0)
+    silent = np.zeros_like(axes)
+    assert np.isnan(fyd.spectral_match(silent, axes[:, 0])).all()  # nothing to compare with
+    assert np.isnan(fyd.spectral_match(axes, axes[:, 0], len(axes) - 7)).all()
+    assert not np.isnan(fyd.spectral_match(axes, axes[:, 0], len(axes) - 8)).any()
     with pytest.raises(fyd.InvalidValue, match="signal_g"):
         fyd.spectral_match(axes, axes[:10, 0])
     with pytest.raises(fyd.InvalidValue, match="delay_samples"):

@@ -1,6 +1,7 @@
 // Virtual and stored surfaces, their fit from recordings, finger speed, contact detection.
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -10,9 +11,12 @@
 #include "core/texture/contact_detector.h"
 #include "core/texture/finger_speed.h"
 #include "core/texture/virtual_texture.h"
+#include "tests/not_a_number.h"
 
 namespace fyd::texture {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double rmsAt(const SurfaceModel& model, double speed_mm_s, double force_N, double seconds = 20.0) {
   VirtualTexture surface(model, 1000.0);
@@ -35,6 +39,20 @@ SurfaceModel ribs() {
 }
 
 TEST(VirtualTexture, HasItsBandsPowerAtTheReference) { EXPECT_NEAR(rmsAt(ribs(), 40.0, 1.0), 0.5, 0.02); }
+
+TEST(VirtualTexture, TakesWhatIsNotFiniteForNothingAndTheTooLargeForTheLargest) {
+  constexpr double kMuch = 1e9;
+  for (const double none : {kNaN, kInfinity, -kInfinity, -1.0}) {
+    EXPECT_EQ(rmsAt(ribs(), none, 1.0, 1.0), 0.0) << none;
+    EXPECT_EQ(rmsAt(ribs(), 40.0, none, 1.0), 0.0) << none;
+  }
+  SurfaceModel slow = ribs();
+  slow.bands.resize(1);
+  slow.bands[0].wavelength_mm = 5.0;  // 200 Hz at the fastest
+  EXPECT_GT(rmsAt(slow, kMuch, 1.0, 1.0), 0.1);
+  EXPECT_EQ(rmsAt(slow, kMuch, 1.0, 1.0), rmsAt(slow, VirtualTexture::kFastest_mm_s, 1.0, 1.0));
+  EXPECT_EQ(rmsAt(ribs(), 40.0, kMuch, 1.0), rmsAt(ribs(), 40.0, VirtualTexture::kHardest_N, 1.0));
+}
 
 TEST(VirtualTexture, IsQuietBelowFiveMillimetresPerSecondAndHasNoCutAtSixty) {
   EXPECT_EQ(rmsAt(ribs(), 4.9, 1.0, 1.0), 0.0);
@@ -106,6 +124,19 @@ TEST(SurfaceModel, WrittenTextReadsBackEqual) {
   ASSERT_EQ(read->bands.size(), 2U);
   EXPECT_EQ(read->bands[1].frequency_Hz, 200.0);
   EXPECT_EQ(formatSurface(*read), formatSurface(model));
+}
+
+TEST(SurfaceModel, WrittenTextOfABandThatMayNotBeIsRefused) {
+  for (const SurfaceBand& wrong : std::initializer_list<SurfaceBand>{{.wavelength_mm = 0.4, .frequency_Hz = 200.0},
+                                                                     {.wavelength_mm = 0.4, .frequency_Hz = -200.0},
+                                                                     {.wavelength_mm = -0.4, .frequency_Hz = 200.0},
+                                                                     {.wavelength_mm = kNaN, .frequency_Hz = 200.0},
+                                                                     {.wavelength_mm = kInfinity},
+                                                                     {}}) {
+    SurfaceModel model = ribs();
+    model.bands.push_back(wrong);
+    EXPECT_FALSE(parseSurface(formatSurface(model), "m.toml")) << wrong.wavelength_mm << " " << wrong.frequency_Hz;
+  }
 }
 
 TEST(SurfaceModel, RefusesWithFileAndLine) {
