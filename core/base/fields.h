@@ -7,9 +7,9 @@
 //     }
 //   };
 //
-// From it follow the row in a recording and its reader (core/recording/format/recording_row.h), the comparison of two
-// runs, the columns of every export, the curves and the manual's tables. A field may be added anywhere: a recording is
-// read by the names, and a field missing in one keeps the default of a new struct.
+// From it follow the row in a recording and its reader, the comparison of two runs, the columns of every export, the
+// curves and the manual's tables. A field may be added anywhere: a recording is read by the names, and a field missing
+// in one keeps the default of a new struct.
 // Stability: may change
 #pragma once
 

@@ -1,5 +1,5 @@
 // What the program says to a person, as data: a format and its values. English is made of it where it is shown
-// (`text`), another language in the window, by the format (widgets/basics/core_text.h).
+// (`text`), another language in the window, by the format.
 //
 // A format stands as a literal in one of these calls, where lupdate finds it for those who translate
 // (tests/translations/translations.py):
@@ -49,7 +49,7 @@ enum class MessageKind : std::uint8_t {
 
 struct Value;
 
-// Nearly every file makes, copies and drops messages: what that takes is compiled once, in message.cpp.
+// Nearly every file makes, copies and drops messages: what that takes is compiled once.
 struct FYD_API Message {
   MessageKind kind = MessageKind::command;
   std::string_view format;  ///< static storage; places as fmt has them, each filled by the value of its number

@@ -1,5 +1,5 @@
-// How a class declares its state, once, for saving and restoring it (core/base/archive.h does both): one member
-// template that names all that changes between two steps.
+// How a class declares its state, once, for archives that save and restore it: one member template that names all that
+// changes between two steps.
 //
 //   template <class Archive>
 //   void serialize(Archive& archive) {

@@ -30,7 +30,7 @@ inline constexpr std::array<std::string_view, 3> kStaticLawNames = {"interpolate
 enum class CorrectionRule : std::uint8_t { excess, bounded };
 inline constexpr std::array<std::string_view, 2> kCorrectionRuleNames = {"excess", "bounded"};
 
-/// No limit in effect: ln(1 + 4) exceeds the largest ln S that the observer can learn (1.5, scale_observer.cpp).
+/// No limit in effect: ln(1 + 4) exceeds the largest ln S that the observer can learn, 1.5.
 inline constexpr double kNoCorrectionLimit = 4.0;
 
 // Largest gains: what no cloth bears on any touchpad of this kind. With motors of 30 ms (loop_prediction.h) and nothing

@@ -2,8 +2,8 @@
 // version cannot replay bit for bit; that is no sign of damage.
 //
 //   1  exp, log, sin, … of the C library and FFTW's vector code, both chosen by the processor (to revision a4d2b6a)
-//   2  portable functions (core/base/portable_math.h), FFTW without vector code: the same
-//      bits on every x86-64 processor
+//   2  portable functions (SLEEF's), FFTW without vector code: the same bits on every
+//      x86-64 processor
 //
 // A new version never changes what is felt: an algorithm that feels different is added as a new named mode.
 // Stability: may change

@@ -4,12 +4,12 @@
 //   EVENT(name, number, label, severity, slides_in, weight, said, logged)
 //
 //   number     stored in files: it never changes, and a new line takes the next free number
-//   label      its name in an exported log                                       (core/export/export_words.cpp)
-//   severity   information, warning or error, as the window shows it             (app/console/shell/views.cpp)
+//   label      its name in an exported log
+//   severity   information, warning or error, as the window shows it
 //   slides_in  whether it is shown as a notice over the window; otherwise it goes to the log
-//   weight     in a report and a chart: plain, marked or serious                 (core/export/export_words.cpp)
-//   said       the operator's sentence                                           (core/station/notice.cpp)
-//   logged     what an exported log says of it                                   (core/export/export_words.cpp)
+//   weight     in a report and a chart: plain, marked or serious
+//   said       the operator's sentence
+//   logged     what an exported log says of it
 //
 // Each is an expression of the event `e`; the last two may use the helpers of the file that reads them.
 // Stability: stable since 0.1

@@ -1,5 +1,5 @@
 // The faults: what may be missing or go wrong, one line each, the most urgent first: of several, the first is shown.
-// Included several times, each time with another definition of FAULT (safety.h, safety.cpp, input_health.cpp): no
+// Included several times, each time with another definition of FAULT, as in safety.h: no
 // #pragma once.
 //
 //   FAULT(name, number, need, of, help, what, remedy, missing)

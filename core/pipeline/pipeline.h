@@ -111,7 +111,7 @@ class FYD_API Pipeline {
   [[nodiscard]] std::optional<Fault> newFault(const Inputs& inputs) const;
   void report(const Event& event) { (void)outputs_.events.push(event); }
 
-  // The state, see pipeline_state.cpp.
+  // The state.
   struct Between;
   template <class Visit>
   void eachModule(Visit&& visit);

@@ -40,12 +40,12 @@ struct RecordingHeader {
   std::string subject;  ///< code, never a name
   std::string notes;
   std::vector<std::string> tags;
-  std::string touchpad;  ///< as in the station's options (station_options.h)
+  std::string touchpad;  ///< as in the station's options
   std::string camera;
   std::string robot;
   std::string profile;                       ///< TOML, the whole station's, as it was at the first row
   std::string surface;                       ///< TOML of the stored surface; empty: none
-  std::shared_ptr<const std::string> scene;  ///< virtual, in the robot's place (core/scene/scene_bytes.h); null: none
+  std::shared_ptr<const std::string> scene;  ///< virtual, in the robot's place, as CBOR; null: none
   std::string step_state;                    ///< Pipeline::saveState before the first row
   std::string version;                       ///< of the program that records
   std::string lateness;                      ///< of the computer: kLatenessWaits, kLatenessFault; empty: not recorded

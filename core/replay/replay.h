@@ -38,8 +38,8 @@ struct ReplayResult {
   Message why_not_exact;        ///< what is lost in the recording, so that nothing can be proven; empty: nothing
   std::uint64_t different = 0;  ///< steps
   int arithmetic_recorded = pipeline::kArithmetic;
-  /// Set when the recording was made with an older arithmetic, which cannot be reproduced bit for bit; see
-  /// step_compare.h.
+  /// Set when the recording was made with an older arithmetic, which cannot be reproduced bit for bit: how far a step
+  /// may then differ.
   std::optional<pipeline::ArithmeticTolerance> tolerance;
   std::uint64_t beyond_tolerance = 0;  ///< of the different steps
   std::vector<std::string>

@@ -1,6 +1,6 @@
 // DFT321: one signal with the energy of three axes in every band [thesis §5.3] [Landin 2010].
 //
-//   frame of N samples → DFT of each axis → Â(k) by the phase rule (phase_rule.h) → inverse DFT
+//   frame of N samples → DFT of each axis → Â(k) by the phase rule → inverse DFT
 //
 // Blocks (hop = N): rectangular frames, as the thesis has them. The energy of a block equals the three axes' exactly
 // (Parseval); the edges of blocks show.

@@ -37,7 +37,7 @@ inline constexpr std::array<std::string_view, 3> kHopNames = {"frame", "half", "
 enum class PwmChoice : std::uint8_t {
   symmetric,  ///< rounds alike on both sides of zero, gain before the limit
   thesis,     ///< floor, gain after the limit, exactly zero accelerations switch the duty off at once
-  felt,       ///< compensates motors and cloth, so that the finger feels the signal (felt_mapping.h)
+  felt,       ///< compensates motors and cloth, so that the finger feels the signal
 };
 inline constexpr std::array<std::string_view, 3> kPwmNames = {"symmetric", "thesis", "felt"};
 

@@ -2,7 +2,7 @@
 //
 //   samples ─▶ UniformStream ─▶ HighPass ×3 ─▶ Method ─▶ crossfade ─▶ mapping ─▶ duty of each motor
 //
-// Mapping: pwm.h (symmetric, thesis) or felt_mapping.h.
+// Mapping: PwmChoice (texture_parameters.h).
 //
 // Called once per sample period (1 ms). From time-stamped bunches to the uniform stream, see uniform_stream.h;
 // in one sentence: each call takes the mean of the samples stamped within its own millisecond, a lone empty
@@ -32,7 +32,7 @@ struct TextureOutput {
   double signal_g = 0.0;  ///< after high-pass and method, before PWM; finite
   /// Of each motor; ±maximum at most, and ±100 together with the position share. Equal but with mapping felt.
   std::array<double, kFeltMotors> duty_percent{};
-  double wanted_g = 0.0;  ///< wanted at the finger; the signal itself with the mappings of pwm.h
+  double wanted_g = 0.0;  ///< wanted at the finger; the signal itself with another mapping than felt
   bool limited = false;   ///< this step's duty was cut by a limit
   Vec3 filtered_g;        ///< behind the high-pass, newest
   double delay_ms = 0.0;  ///< of input delay and method together; the stream's grid adds up to one period
@@ -68,7 +68,7 @@ class FYD_API TextureRenderer {
   /// Silence; counters stay.
   void reset();
 
-  /// For the archives of core/base/archive.h. Version 1: without the mapping felt.
+  /// For the archives that save and restore a step (core/base/state.h). Version 1: without the mapping felt.
   static constexpr std::uint16_t kStateVersion = 2;
   template <class Archive>
   void serialize(Archive& archive);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Fails on an installed header without its line on stability, and on one that does not compile alone against the
-installed tree: PREFIX=… LIBDIR=… CXX=… check_headers.py LIST | check_headers.py --self-test.
+"""Fails on an installed header without its line on stability, on one whose comments point at a file that is not
+installed, and on one that does not compile alone against the installed tree:
+PREFIX=… LIBDIR=… CXX=… check_headers.py LIST | check_headers.py --self-test.
 """
 import concurrent.futures
 import os
@@ -11,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 
+FILE = re.compile(r"[\w./-]*\w\.(?:h|cpp)\b")
 STABILITY = re.compile(r"^// Stability: (stable since \d+\.\d+|may change)$", re.M)
 
 
@@ -26,6 +28,13 @@ def stability_problem(name, text):
     if len(STABILITY.findall(head)) != 1:
         return f"{name}: its head comment needs one line '// Stability: stable since …' or '// Stability: may change'"
     return None
+
+
+def absent_files(name, text, installed):
+    """Files of which a comment speaks to a reader who does not have them."""
+    named = {file for comment in re.findall(r"//(.*)", text) for file in FILE.findall(comment)}
+    return [f"{name}: a comment points at {file}, which is not installed: name what is meant"
+            for file in sorted(named) if not any(f"/{each}".endswith(f"/{file}") for each in installed)]
 
 
 def others(folder, name, found=None):
@@ -66,6 +75,8 @@ def check(listed):
     if installed != wanted or len(wanted) < 50:
         found.append(f"{len(installed)} headers are installed, {len(wanted)} are listed: {set(installed) ^ set(wanted)}")
     found += [why for name in installed if (why := stability_problem(name, (folder / name).read_text(encoding="utf-8")))]
+    found += [why for name in installed
+              for why in absent_files(name, (folder / name).read_text(encoding="utf-8"), installed)]
     environment = os.environ | {"PKG_CONFIG_PATH": str(prefix / os.environ["LIBDIR"] / "pkgconfig")}
     flags = shlex.split(subprocess.run(["pkg-config", "--cflags", "fyd"], env=environment, check=True, capture_output=True,
                                        text=True).stdout)
@@ -88,11 +99,15 @@ def self_test():
     assert stability_problem("a.h", "// A.\n// Stability: perhaps\n#pragma once\n")
     assert is_list("// Several times: no\n// #pragma once.\nFAULT(a)\n") and not is_list("// A.\n#pragma once\n")
     assert stability_problem("a.h", "// A.\n// Stability: may change\nint a;\n")
+    installed = ["core/a.h", "core/b/c_list.h"]
+    assert absent_files("core/a.h", '// As in c_list.h (core/a.h), "b/c_list.h".\n#include "d.h"\n', installed) == []
+    for text in ("int a;  ///< see a.cpp\n", "// b/a.h\n", "// list.h\n", "/// core/d.h,\n"):
+        assert len(absent_files("core/a.h", text, installed)) == 1, text
     assert compile_problem("c++", [], "no_such_header.h")
 
 
 if __name__ == "__main__":
     self_test()
     problems = check(sys.argv[1])
-    print("\n".join(problems) or "every installed header says how stable it is and compiles alone")
+    print("\n".join(problems) or "every installed header says how stable it is, points at no absent file, and compiles alone")
     sys.exit(1 if problems else 0)

@@ -1,15 +1,15 @@
 // The force of a rigid body on a haptic point.
 //
 // Four models. With k the stiffness, p the probe and d its depth:
-//   nodes     the vertices within a sphere of radius R around the probe push back (contact_nodes.h)
-//   facet     k·d along the normal of the nearest triangle, F = −K·X (contact_facet.h)
-//   vicinity  k·d along the normal, both of a smooth surface fitted to the vertices around (contact_vicinity.h)
-//   proxy     a sphere that stays outside, pulled by the probe with k; static and kinetic friction (contact_proxy.h)
+//   nodes     the vertices within a sphere of radius R around the probe push back
+//   facet     k·d along the normal of the nearest triangle, F = −K·X
+//   vicinity  k·d along the normal, both of a smooth surface fitted to the vertices around
+//   proxy     a sphere that stays outside, pulled by the probe with k; static and kinetic friction
 // In all of them damping acts along the normal while touching, and the normal force never pulls.
 //
 // nodes, facet and vicinity have no state; the proxy's is ContactState. No time step enters: the force depends on the
 // probe's present and former positions and on its velocity, not on the rate of the steps.
-// Stability: stable since 0.1
+// Stability: may change
 #pragma once
 
 #include <array>

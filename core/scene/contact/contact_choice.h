@@ -5,8 +5,8 @@
 // estimate of the true one. The fit's own error is found by leaving out one vertex at a time: the force there, by the
 // fit to the mesh without it, is compared with that of the whole mesh. That error belongs to a mesh of twice the edge
 // length; half of it is taken, though a fit of third order gains more. With e the true error on spheres, bumps and
-// cylinders, the error reported for facet and vicinity is between 0.9 e and 2.5 e + 2e-4; a test holds it to that
-// (tests/numerics/scene/choice_test.cpp).
+// cylinders, the error reported for facet and vicinity is between 0.9 e and 2.5 e + 2e-4; a numerical test holds it to
+// that.
 //
 // In a wall thinner than that depth the nearest surface may be the one behind: facet, vicinity and nodes would push the
 // point through, and only a proxy holds it. These places are counted too.

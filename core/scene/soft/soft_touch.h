@@ -1,6 +1,6 @@
 // The force of a soft body at 1 kHz where the body itself is stepped slower, on another thread.
 //
-// The body publishes a SoftTouch: a plain value, to be handed over whole (core/base/latest_value.h). Between two of
+// The body publishes a SoftTouch: a plain value, to be handed over whole. Between two of
 // them the body is a spring that only pushes. A change of the spring under a pressing hand could give energy, so its
 // energy is limited to the hand's work since it touched: f²/2S ≤ paid. So over any path, whatever is published and
 // however late, the hand gets back no more than it gave (a step's work is that of the force at its end).

@@ -5,7 +5,7 @@
 //   roller  moves the cloth sideways at its radius
 //   cloth   couples the finger by a spring and a damper: a second-order resonance that depends on the stretch
 //
-// The constants are found by identification (felt_identification.h). Until then the defaults apply, the middle of the
+// The constants are found by identification. Until then the defaults apply, the middle of the
 // plausible range, and `identified` is false.
 // Stability: may change
 #pragma once

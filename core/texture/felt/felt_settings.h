@@ -1,4 +1,4 @@
-// Settings of FeltMapping (felt_mapping.h).
+// Settings of the mapping `felt`, which compensates motors and cloth.
 // Stability: may change
 #pragma once
 
