@@ -181,8 +181,11 @@ void addMeshes(py::module_& module) {
           },
           py::arg("probe_mm"), py::arg("period_s") = 0.001,
           "The force [N], shape (n, 3), on a point that goes this way [mm], shape (n, 3), one place each period_s [s]. "
-          "A place "
-          "that is not finite touches nothing. Other threads go on meanwhile.");
+          "A place that is not finite touches nothing. A proxy goes on where the last call left it: for another way, "
+          "reset() first. Other threads go on meanwhile.")
+      .def(
+          "reset", [](ContactOwner& owner) { owner.run([](Touching& each) { each.contact.restore({}); }); },
+          "Back to before the first touch. Units: none.");
 }
 
 }  // namespace

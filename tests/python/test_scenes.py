@@ -82,6 +82,30 @@ def test_a_scene_is_stepped(tmp_path):
     assert not scene.step([math.nan, 0, 0], 1.0).touching
 
 
+def test_a_scene_in_a_pipeline_has_the_rate_of_its_steps():
+    name = str(ROOT / "resources/scenes/echography.toml")
+    half = fyd.Parameters({"texture.sample_rate_Hz": 500})
+    with pytest.raises(fyd.InvalidValue, match=r"scene: opened for 500 Hz; expected 1000 Hz, texture\.sample_rate_Hz"):
+        fyd.Pipeline(scene=fyd.Scene.open(name, 500))
+    with pytest.raises(fyd.InvalidValue, match="scene: opened for 1000 Hz; expected 500 Hz"):
+        fyd.Pipeline(half, scene=fyd.Scene.open(name))
+    fyd.Pipeline(half, scene=fyd.Scene.open(name, 500)).step(fyd.Inputs(now_ns=1))
+
+
+def test_a_proxy_goes_on_until_it_is_reset(box):
+    """Friction holds it back where the last call left it; after a reset nothing is behind it."""
+    contact = fyd.Contact(box, contact="proxy", stiffness_N_per_mm=0.8, static_friction=0.5, kinetic_friction=0.4)
+    pressed = [[0, 0, 1], [0, 0, -1]]
+    assert contact.run(pressed)[-1] == pytest.approx([0, 0, 0.8], abs=1e-4)
+    on = contact.run([[5, 0, -1]])[0]
+    assert on[0] < -0.1  # held back
+    contact.reset()
+    fresh = fyd.Contact(box, contact="proxy", stiffness_N_per_mm=0.8, static_friction=0.5, kinetic_friction=0.4)
+    assert np.array_equal(contact.run(pressed), fresh.run(pressed))
+    contact.reset()
+    assert contact.run([[5, 0, 1], [5, 0, -1]])[-1] == pytest.approx([0, 0, 0.8], abs=1e-4)
+
+
 def test_another_way_begins_with_a_reset():
     """What comes again at the same times would be felt as the last place of the way before."""
     scene = fyd.Scene.open(str(ROOT / "resources/scenes/echography.toml"))

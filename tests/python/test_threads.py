@@ -95,7 +95,50 @@ def prediction():
     return lambda: fyd.predict_trial(time_s, path)
 
 
-LONG = [replay_of_golden, read_of_golden, chain_run, texture_run, detections, prediction, scene_run, contact_run]
+def noise_g():
+    return np.random.default_rng(1).normal(size=(200_000, 3))
+
+
+def fit_of_a_surface():
+    accelerations_g = noise_g()
+    return lambda: fyd.fit_surface(accelerations_g)
+
+
+def spectrum():
+    signal = noise_g().ravel()
+    return lambda: fyd.welch(signal)
+
+
+def match():
+    accelerations_g = noise_g()
+    return lambda: fyd.spectral_match(accelerations_g, accelerations_g[:, 0])
+
+
+def plane(n=150):
+    """n × n squares of two triangles."""
+    x, y = (each.ravel() for each in np.mgrid[0:n + 1, 0:n + 1])
+    corner = ((n + 1) * np.arange(n)[:, None] + np.arange(n)).ravel()
+    low, high = (np.stack([corner + a, corner + b, corner + c], axis=1) for a, b, c in ((0, n + 1, 1), (1, n + 1, n + 2)))
+    return np.stack([x, y, 0 * x], axis=1).astype(float), np.concatenate([low, high])
+
+
+def mesh():
+    vertices_mm, triangles = plane()
+    return lambda: fyd.Mesh(vertices_mm, triangles)
+
+
+@pytest.fixture(scope="module")
+def mesh_file(tmp_path_factory):
+    path = tmp_path_factory.mktemp("mesh") / "plane.obj"
+    vertices_mm, triangles = plane()
+    path.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in vertices_mm)
+                    + "".join(f"f {a} {b} {c}\n" for a, b, c in triangles + 1))
+    path.with_suffix(".toml").write_text('[[body]]\nmesh = "plane.obj"\ncontact = "facet"\n')
+    return path
+
+
+LONG = [replay_of_golden, read_of_golden, chain_run, texture_run, detections, prediction, scene_run, contact_run,
+        fit_of_a_surface, spectrum, match, mesh]
 
 
 @pytest.mark.parametrize("made", LONG)
@@ -103,6 +146,13 @@ def test_another_thread_goes_on(made):
     work = made()
     with Other() as other:
         assert any(other.steps_during(work) > 0 for _ in range(50))  # busy processors may let it wait
+
+
+@pytest.mark.parametrize("opened, ending", [(fyd.Mesh.open, ".obj"), (fyd.Scene.open, ".toml")])
+def test_another_thread_goes_on_while_a_file_is_read(mesh_file, opened, ending):
+    path = str(mesh_file.with_suffix(ending))
+    with Other() as other:
+        assert any(other.steps_during(lambda: opened(path)) > 0 for _ in range(50))
 
 
 def test_work_that_keeps_the_lock_is_seen_to_keep_it():
