@@ -16,8 +16,6 @@
 namespace fyd::texture {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 double rmsAt(const SurfaceModel& model, double speed_mm_s, double force_N, double seconds = 20.0) {
   VirtualTexture surface(model, 1000.0);
   double energy = 0.0;
@@ -41,8 +39,8 @@ SurfaceModel ribs() {
 TEST(VirtualTexture, HasItsBandsPowerAtTheReference) { EXPECT_NEAR(rmsAt(ribs(), 40.0, 1.0), 0.5, 0.02); }
 
 TEST(VirtualTexture, TakesWhatIsNotFiniteForNothingAndTheTooLargeForTheLargest) {
-  constexpr double kMuch = 1e9;
-  for (const double none : {kNaN, kInfinity, -kInfinity, -1.0}) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity(), kMuch = 1e9;
+  for (const double none : {kNaN, kEndless, -kEndless, -1.0}) {
     EXPECT_EQ(rmsAt(ribs(), none, 1.0, 1.0), 0.0) << none;
     EXPECT_EQ(rmsAt(ribs(), 40.0, none, 1.0), 0.0) << none;
   }
@@ -127,12 +125,13 @@ TEST(SurfaceModel, WrittenTextReadsBackEqual) {
 }
 
 TEST(SurfaceModel, WrittenTextOfABandThatMayNotBeIsRefused) {
-  for (const SurfaceBand& wrong : std::initializer_list<SurfaceBand>{{.wavelength_mm = 0.4, .frequency_Hz = 200.0},
-                                                                     {.wavelength_mm = 0.4, .frequency_Hz = -200.0},
-                                                                     {.wavelength_mm = -0.4, .frequency_Hz = 200.0},
-                                                                     {.wavelength_mm = kNaN, .frequency_Hz = 200.0},
-                                                                     {.wavelength_mm = kInfinity},
-                                                                     {}}) {
+  for (const SurfaceBand& wrong :
+       std::initializer_list<SurfaceBand>{{.wavelength_mm = 0.4, .frequency_Hz = 200.0},
+                                          {.wavelength_mm = 0.4, .frequency_Hz = -200.0},
+                                          {.wavelength_mm = -0.4, .frequency_Hz = 200.0},
+                                          {.wavelength_mm = kNaN, .frequency_Hz = 200.0},
+                                          {.wavelength_mm = std::numeric_limits<double>::infinity()},
+                                          {}}) {
     SurfaceModel model = ribs();
     model.bands.push_back(wrong);
     EXPECT_FALSE(parseSurface(formatSurface(model), "m.toml")) << wrong.wavelength_mm << " " << wrong.frequency_Hz;
