@@ -70,9 +70,12 @@ class Contact:
         """With the keys of a body of a scene file, such as contact="proxy", stiffness_N_per_mm=0.8 [N/mm], radius_mm
         [mm].
         """
+    def reset(self) -> None:
+        """Back to before the first touch. Units: none."""
     def run(self, probe_mm: ArrayLike, period_s: float = 0.001) -> NDArray[numpy.float64]:
         """The force [N], shape (n, 3), on a point that goes this way [mm], shape (n, 3), one place each period_s [s]. A
-        place that is not finite touches nothing. Other threads go on meanwhile.
+        place that is not finite touches nothing. A proxy goes on where the last call left it: for another way,
+        reset() first. Other threads go on meanwhile.
         """
 
 class Error(Exception):
@@ -87,6 +90,11 @@ class Event:
     def as_dict(self) -> dict[str, Any]:
         """Every value by its name. Units: those in `units`."""
     help: ClassVar[dict[str, str]]
+    @property
+    def id(self) -> Optional[str]:
+        """Id of the parameter that changed or was refused; None: it is another event, or this library has no such
+        parameter [—]
+        """
     @property
     def index(self) -> int:
         """of a parameter's event: as in /inputs/changes [1]"""
@@ -152,6 +160,11 @@ class EventRow:
     def as_dict(self) -> dict[str, Any]:
         """Every value by its name. Units: those in `units`."""
     help: ClassVar[dict[str, str]]
+    @property
+    def id(self) -> Optional[str]:
+        """Id of the parameter that changed or was refused; None: it is another event, or this library has no such
+        parameter [—]
+        """
     @property
     def index(self) -> int:
         """of a parameter's event: as in /inputs/changes [1]"""
@@ -405,10 +418,10 @@ class Inputs:
     def __repr__(self) -> str:
         ...
     @property
-    def accelerations(self) -> list[AccelerationSample]:
-        """Samples that came since the last step, a list of AccelerationSample [g]"""
+    def accelerations(self) -> tuple[Any, ...]:
+        """Samples that came since the last step, a tuple of AccelerationSample, set as a whole [g]"""
     @accelerations.setter
-    def accelerations(self, value: list[AccelerationSample]) -> None: ...
+    def accelerations(self, value: Sequence[Any]) -> None: ...
     def as_dict(self) -> dict[str, Any]:
         """Every value by its name. Units: those in `units`."""
     @property
@@ -417,15 +430,15 @@ class Inputs:
     @bridge.setter
     def bridge(self, value: BridgeInput) -> None: ...
     @property
-    def changes(self) -> list[ParameterChange]:
-        """Live parameters changed since the last step, a list of ParameterChange [each in its unit]"""
+    def changes(self) -> tuple[Any, ...]:
+        """Live parameters changed since the last step, a tuple of ParameterChange, set as a whole [each in its unit]"""
     @changes.setter
-    def changes(self, value: list[ParameterChange]) -> None: ...
+    def changes(self, value: Sequence[Any]) -> None: ...
     @property
-    def commands(self) -> list[OperatorCommand]:
-        """Commands of the operator since the last step, a list of OperatorCommand [each in its unit]"""
+    def commands(self) -> tuple[Any, ...]:
+        """Commands of the operator since the last step, a tuple of OperatorCommand, set as a whole [each in its unit]"""
     @commands.setter
-    def commands(self, value: list[OperatorCommand]) -> None: ...
+    def commands(self, value: Sequence[Any]) -> None: ...
     def copy(self) -> Inputs:
         """The same inputs once more. Units: none."""
     @property
@@ -465,10 +478,10 @@ class Inputs:
     @phase.setter
     def phase(self, value: LinkPhase) -> None: ...
     @property
-    def robot_commands(self) -> list[RobotCommand]:
-        """Commands of the robot's operator since the last step [—]"""
+    def robot_commands(self) -> tuple[Any, ...]:
+        """Commands of the robot's operator since the last step, a tuple of RobotCommand, set as a whole [—]"""
     @robot_commands.setter
-    def robot_commands(self, value: list[RobotCommand]) -> None: ...
+    def robot_commands(self, value: Sequence[Any]) -> None: ...
     @property
     def robot_state(self) -> RobotInput:
         """The robot's state [each in its unit]"""
@@ -797,8 +810,11 @@ class ParameterChange:
         """Every value by its name. Units: those in `units`."""
     help: ClassVar[dict[str, str]]
     @property
+    def id(self) -> Optional[str]:
+        """Id of the parameter; None: this library has no such parameter [—]"""
+    @property
     def index(self) -> int:
-        """line of the file's own profile, its parameters counted from 0 [1]"""
+        """the parameter's line in the file's own profile, from 0; as read, its number here, 65535: none [1]"""
     @index.setter
     def index(self, value: int) -> None: ...
     units: ClassVar[dict[str, str]]
@@ -887,7 +903,9 @@ class Picture:
         """The camera's [1]"""
     @property
     def region(self) -> Any:
-        """The region of interest exactly as the detector saw it [grey value, 0 to 255]"""
+        """The region of interest exactly as the detector saw it. None: it lay outside of the picture [grey value, 0 to
+        255]
+        """
     @property
     def region_px(self) -> tuple[Any, ...]:
         """Left edge, upper edge, width and height of the region in the whole picture [px]"""
@@ -905,8 +923,8 @@ class Pipeline:
     give the same outputs bit for bit.
     """
     def __init__(self, parameters: Optional[Parameters] = None, surface: Optional[Surface] = None, scene: Optional[Scene] = None) -> None:
-        """With these parameters, and what is felt without a robot: a stored surface, or a scene in the robot's place.
-        Units: each parameter's own.
+        """With these parameters, and what is felt without a robot: a stored surface, or a scene in the robot's place,
+        opened for the rate of the steps, texture.sample_rate_Hz. Units: each parameter's own.
         """
     @staticmethod
     def of(recording: RecordingFile) -> Pipeline:
@@ -949,7 +967,12 @@ class RecordedStep:
         """What the step reported [each in its unit]"""
     @property
     def inputs(self) -> Inputs:
-        """As the step had them [each in its unit]"""
+        """As the step had them, but for what is `missing` [each in its unit]"""
+    @property
+    def missing(self) -> tuple[Any, ...]:
+        """Paths of the tables that a recovered recording lost for this step: what they held is as if nothing had ever
+        come. Empty: none [—]
+        """
     @property
     def motors(self) -> MotorCommand:
         """As written to the motors [each in its unit]"""
@@ -994,6 +1017,9 @@ class RecordingFile:
 
 class RecordingInfo:
     """The summary of a recording, as of its last refresh."""
+    @property
+    def arithmetic(self) -> int:
+        """Of the step that was recorded; bit for bit it comes out of the same one only, here 2 [1]"""
     @property
     def bytes(self) -> int:
         """Of the file [byte]"""
@@ -1066,6 +1092,9 @@ class RecordingInfo:
     @property
     def wholeness(self) -> Wholeness:
         """How it was left [—]"""
+    @property
+    def why_not_exact(self) -> str:
+        """What of the steps is lost, so that they cannot come out bit for bit again; empty: nothing [—]"""
 
 class ReferenceInput:
     """Where the robot wants the motors, with its time."""
@@ -1285,7 +1314,9 @@ class Scene:
         """Their names, in the order of the file [—]"""
     @staticmethod
     def open(path: str, rate_Hz: float = 1000.0) -> Scene:
-        """A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz]."""
+        """A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz]; in a Pipeline that is its
+        texture.sample_rate_Hz.
+        """
     def reset(self) -> None:
         """Back to before the first step. Units: none."""
     def run(self, probe_mm: ArrayLike, time_s: ArrayLike) -> dict[str, Any]:
@@ -1327,10 +1358,10 @@ class Surface:
     def __init__(self) -> None:
         """Without a name and a band; see from_text. Units: none."""
     @property
-    def bands(self) -> list[SurfaceBand]:
-        """A list of SurfaceBand; it is set as a whole [each in its unit]"""
+    def bands(self) -> tuple[Any, ...]:
+        """A tuple of SurfaceBand, set as a whole [each in its unit]"""
     @bands.setter
-    def bands(self, value: list[SurfaceBand]) -> None: ...
+    def bands(self, value: Sequence[Any]) -> None: ...
     @property
     def description(self) -> str:
         """For people [—]"""
@@ -1684,8 +1715,8 @@ class VirtualTexture:
     def reset(self) -> None:
         """Back to silence and the seed. Units: none."""
     def run(self, speed_mm_s: ArrayLike, force_N: ArrayLike) -> NDArray[numpy.float64]:
-        """The signal [g] for a finger of these speeds [mm/s] and forces [N]; what is negative or no number counts as 0.
-        Other threads go on meanwhile.
+        """The signal [g] for a finger of these speeds [mm/s] and forces [N]; what is negative or not finite counts as 0,
+        more than 1000 mm/s or 20 N as these. Other threads go on meanwhile.
         """
 
 class Wholeness:
@@ -1725,15 +1756,16 @@ def fit_surface(accelerations_g: ArrayLike, rate_Hz: float = 1000.0, speed_mm_s:
 
 def high_pass(corner_Hz: float, rate_Hz: float = 1000.0) -> tuple[Any, ...]:
     """Coefficients (b, a) of the default filter, a Butterworth high-pass of second order with its corner at corner_Hz
-    [Hz], at rate_Hz [Hz].
+    [Hz], at rate_Hz [Hz]: at most 0.49 of it.
     """
 
 def predict_trial(time_s: ArrayLike, position_mm: ArrayLike, name: str = 'default', period_ms: float = 10.0, delay_ms: float = 50.0, jitter_ms: float = 0.0, loss_percent: float = 0.0, seed: int = 1, smooth_s: float = 0.0) -> dict[str, Any]:
     """Sends a recorded motion, time_s [s] and position_mm [mm] of shape (n, axes), over a simulated network (a message
     every period_ms [ms], delay_ms [ms], up to jitter_ms [ms] more, loss_percent [%]) and predicts it. Returns `row`
     of the motion at each tick, the predicted `position_mm` [mm] there, and the figures `rms_mm`, `mean_mm`, `max_mm`,
-    `largest_step_mm` [mm], `vibration_ratio` and `jerk_ratio` [1]. smooth_s [s]: time constant of the output's
-    smoothing. Other threads go on meanwhile.
+    `largest_step_mm` [mm], `vibration_ratio` and `jerk_ratio` [1], of the predicted motion's over the true one's. A
+    ratio is NaN where the true motion has none of it, that of vibration below 1000 rows a second as well. smooth_s
+    [s]: time constant of the output's smoothing. Other threads go on meanwhile.
     """
 
 def replay(recording: RecordingFile, settings: dict[str, Any] = {}, closed_loop: bool = False, keep_telemetry: bool = True) -> ReplayResult:
@@ -1744,7 +1776,8 @@ def replay(recording: RecordingFile, settings: dict[str, Any] = {}, closed_loop:
 
 def spectral_match(accelerations_g: ArrayLike, signal_g: ArrayLike, delay_samples: int = 0, rate_Hz: float = 1000.0) -> tuple[Any, ...]:
     """How well one signal [g] stands for three axes [g], shape (n, 3): (spectral match [1: equal], its energy over
-    theirs [1]). A figure about spectra, never about what a person feels.
+    theirs [1]). NaN: the axes hold nothing to compare with, from 20 Hz on for the match, or fewer than 8 rows are
+    left after delay_samples. A figure about spectra, never about what a person feels.
     """
 
 def welch(signal: ArrayLike, rate_Hz: float = 1000.0, segment: int = 512) -> tuple[Any, ...]:
