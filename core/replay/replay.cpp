@@ -9,7 +9,6 @@
 #include "core/recording/reader/recorded_profile.h"
 #include "core/recording/reader/recording_health.h"
 #include "core/replay/replay_plant.h"
-#include "core/scene/felt_scene.h"
 
 namespace fyd::replay {
 namespace {
@@ -267,19 +266,12 @@ Result<ReplayResult> replay(const recording::Recording& recording, const ReplayO
   if (info.committed_samples == 0) return fail("the recording holds no step");
   const auto recorded = recordedParameters(info.header);
   if (!recorded) return tl::unexpected(recorded.error());
-  auto local = recordedLocalModel(info.header);
+  const auto local = recordedLocalModel(info.header);
   if (!local) return tl::unexpected(local.error());
   const auto wanted = wantedOf(*recorded, options.settings);
   if (!wanted) return tl::unexpected(wanted.error());
   if (auto whole = control::checkControlParameters(wanted->parameters.control); !whole) {
     return tl::unexpected(whole.error());
-  }
-
-  const double rate_Hz = wanted->parameters.texture.sample_rate_Hz;
-  if (local->scene && rate_Hz != recorded->texture.sample_rate_Hz) {  // its textures are made for the rate of the steps
-    auto scene = scene::FeltScene::build(local->scene->loaded(), local->scene->models(), rate_Hz);
-    if (!scene) return tl::unexpected(scene.error());
-    local->scene = std::make_shared<const scene::FeltScene>(std::move(*scene));
   }
 
   ReplayResult out{.what_if = !options.settings.empty(),

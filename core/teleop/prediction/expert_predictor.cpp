@@ -213,7 +213,8 @@ void ExpertPredictor::updateWeights() {
   }
   double sum = 0.0;
   for (std::size_t e = 0; e < kExperts; ++e) {
-    double share = total[e] > least ? least / total[e] : 1.0;  // also where all losses are 0: a hand that never moved
+    // The least itself is 1, also where it is 0: of a hand that never moved. A loss that is no number stays none.
+    double share = total[e] == least ? 1.0 : least / total[e];
     for (int doubling = 0; doubling < kWeightDoublings; ++doubling) share *= share;
     weight_[e] = share;
     sum += share;

@@ -78,26 +78,6 @@ TEST_F(SceneReplay, AWhatIfFeelsTheSceneElsewhere) {
   EXPECT_GT(furthest_N, 0.5);
 }
 
-/// The noise of a band at f Hz, made for half as many samples a second as are stepped, swings at 2·f.
-TEST_F(SceneReplay, AnotherSampleRateIsTheScenesToo) {
-  const auto recording = record("contact = \"vicinity\"\nstiffness_N_per_mm = 0.6\n");
-  ASSERT_TRUE(recording);
-  const auto swings = [&](const std::string& setting) {
-    int count = 0;
-    double before_g = 0.0;
-    const auto result = replay::replay(*recording, {.settings = {setting}},
-                                       [&](const pipeline::TelemetrySample& now, const pipeline::TelemetrySample&) {
-                                         if (now.texture_signal_g * before_g < 0.0) ++count;
-                                         before_g = now.texture_signal_g;
-                                       });
-    EXPECT_TRUE(result) << result.error().text();
-    return count;
-  };
-  const int at_1000 = swings("texture.sample_rate_Hz=1000"), at_500 = swings("texture.sample_rate_Hz=500");
-  EXPECT_GT(at_1000, 100);
-  EXPECT_GT(at_500, 1.5 * at_1000);
-}
-
 TEST_F(SceneReplay, AStateIsNotThatOfAnotherScene) {
   const auto pipelineOf = [](const std::string& body) {
     return std::make_unique<pipeline::Pipeline>(pipeline::Parameters{}, pipeline::LocalModel{.scene = sceneOf(body)});
