@@ -51,7 +51,7 @@ struct DeviceReport {
   bool ok = false;
   Message problem;                                           ///< empty when ok; otherwise with the remedy
   bool in_use = false;                                       ///< the problem: it is there, and another program has it
-  bool measures = false;                                     ///< for all the problem: only its motors are off
+  bool measures = false;                                     ///< there is a problem, but only with its motors
   double rate_hz = 0.0;                                      ///< answers or pictures in the last second
   double age_ms = std::numeric_limits<double>::quiet_NaN();  ///< of the newest; NaN before the first
   std::uint64_t errors = 0;                                  ///< exchanges or pictures that failed

@@ -41,9 +41,9 @@ struct LinkSnapshot {
 };
 
 /// How long the texture is to wait for accelerations. A wait that is raised stays, so one late moment must not raise it:
-/// the result is the least of what a second's values ask for, in coarse steps, so that small changes of the network's
+/// the result is the least of what the newest values ask for, in coarse steps, so that small changes of the network's
 /// delay are not followed. A value that no heartbeat has renewed is no new evidence: while the robot is silent, the last
-/// moment before it would count for a second.
+/// moment before it would count for a second. With fewer heartbeats than kPeriod asks for it takes as many, and longer.
 class NeededDelay {
  public:
   static constexpr std::size_t kValues = 20;
@@ -51,7 +51,7 @@ class NeededDelay {
   static_assert(kValues * kPeriod == std::chrono::seconds(1));
 
   /// @param figures whose sample_delay_ms is NaN: unknown, 0 is needed
-  /// @return 0 until there has been a second of values
+  /// @return 0 until there have been kValues values
   [[nodiscard]] double add(const protocol::LinkFigures& figures);
 
  private:
