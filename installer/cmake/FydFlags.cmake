@@ -41,9 +41,13 @@ endif()
 
 find_program(FYD_CCACHE ccache)
 if(FYD_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Precompiled headers carry time stamps; ccache must be told not to mind.
+  # Precompiled headers carry time stamps; ccache must be told not to mind. It must look at the headers themselves
+  # (CCACHE_DEPEND), not at preprocessed text: there a header of which only a comment changed is the same, and the precompiled
+  # one that ccache then gives holds another file's checksum for its "#pragma once", so the header is compiled twice. What a
+  # cache holds from before this is not asked (CCACHE_NAMESPACE).
   set(CMAKE_CXX_COMPILER_LAUNCHER
-      "${CMAKE_COMMAND};-E;env;CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime;${FYD_CCACHE}")
+      "${CMAKE_COMMAND};-E;env;CCACHE_DEPEND=1;CCACHE_NAMESPACE=fyd-depend"
+      "CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime;${FYD_CCACHE}")
 endif()
 find_program(FYD_LLD ld.lld)
 if(FYD_LLD)
