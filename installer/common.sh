@@ -45,8 +45,10 @@ install_packages() {
   fi
   say "Installing ${#missing[@]} packages and what they need: ${missing[*]}"
   "${as_root[@]}" apt-get update -qq
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -y -qq --no-install-recommends -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0 "${missing[@]}" | show_installing
+  # APT closes its status descriptor for dpkg and the packages' scripts, so it must not be their standard output; and sudo
+  # passes on none above 2, so it is opened behind sudo.
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c 'exec apt-get install -y -qq --no-install-recommends \
+    -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0 "$@" 3>&1 >/dev/null' sh "${missing[@]}" | show_installing
 }
 
 # Reads Ninja's lines "[ 37/392 ] Building …" and shows how far the build is and about how long it still takes; passes on
