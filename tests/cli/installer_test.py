@@ -116,6 +116,63 @@ class Installer(unittest.TestCase):
         self.assertEqual(self.missing(("one", own, "hold ok installed"), ("two", own, installed), ("two", other, installed),
                                       ("three", "all", installed)), [])
 
+    def test_a_script_of_a_package_can_write_as_it_is_installed(self):
+        """The real apt-get and dpkg, on a list of packages, a root and a repository of their own."""
+        place = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))  # apt's configuration wants a path without spaces
+        for path in ("debs", "root", "dpkg/updates", "dpkg/info", "apt/lists/partial", "apt/cache/archives/partial", "apt/etc/conf.d",
+                     "apt/etc/preferences.d", "apt/log", "bin"):
+            (place / path).mkdir(parents=True)
+        package = pathlib.Path(self.folder) / "talks"
+        (package / "DEBIAN").mkdir(parents=True)
+        (package / "DEBIAN/control").write_text("Package: talks\nVersion: 1\nArchitecture: all\nMaintainer: a <a@example.org>\n"
+                                                "Description: says something as it is installed\n")
+        script = package / "DEBIAN/postinst"
+        script.write_text(f"#!/bin/sh\nset -e\necho something\necho \"$1\" >{place}/installed\n")
+        script.chmod(0o755)
+        subprocess.run(["dpkg-deb", "--root-owner-group", "-b", package, place / "debs"], check=True, capture_output=True)
+        listing = subprocess.run(["dpkg-scanpackages", "-m", "."], cwd=place / "debs", check=True, capture_output=True, text=True).stdout
+        (place / "debs/Packages").write_text(listing)
+        (place / "dpkg/status").write_text("")
+        (place / "apt/etc/sources.list").write_text(f"deb [trusted=yes] file:{place}/debs ./\n")
+        (place / "apt.conf").write_text(
+            f'Dir::Etc "{place}/apt/etc"; Dir::Etc::parts "{place}/apt/etc/conf.d"; Dir::State "{place}/apt"; Dir::Log "{place}/apt/log";\n'
+            f'Dir::Cache "{place}/apt/cache"; Dir::State::status "{place}/dpkg/status"; APT::Sandbox::User "";\n'
+            f'DPkg::Options {{ "--instdir={place}/root"; "--admindir={place}/dpkg"; "--log={place}/dpkg/log"; "--force-not-root";\n'
+            '  "--force-script-chrootless"; "--force-bad-path"; };\n')
+        # As the real one does, this sudo closes all descriptors above 2.
+        sudo = place / "bin/sudo"
+        sudo.write_text("#!/bin/bash\nfor fd in {3..9}; do eval \"exec $fd>&-\"; done\nexec \"$@\"\n")
+        sudo.chmod(0o755)
+        (pathlib.Path(self.folder) / "installer").mkdir()
+        (pathlib.Path(self.folder) / "installer/packages.txt").write_text("run talks\n")
+        environment = os.environ | {"APT_CONFIG": str(place / "apt.conf"), "DPKG_ADMINDIR": str(place / "dpkg"),
+                                    "PATH": f"{place}/bin:{os.environ['PATH']}"}
+        for user in (0, 1):
+            (place / "dpkg/status").write_text("")
+            (place / "installed").unlink(missing_ok=True)
+            done = self.bash(f"id() {{ echo {user}; }}; install_packages run", env=environment)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertTrue((place / "installed").is_file(), done.stdout + done.stderr)
+            self.assertRegex(done.stdout, r"== Installing 1 packages and what they need: talks\n\[ \d+ % \] \S+")
+            self.assertNotIn("something", done.stdout)
+
+    def test_a_header_of_another_comment_is_compiled_anew(self):
+        """What the compiler cache is told (FydFlags.cmake), with the cache itself and a precompiled header."""
+        cache = {name: value for name, value in re.findall(r"(CCACHE_\w+)=([^;\"\s]+)", (SOURCE / "installer/cmake/FydFlags.cmake").read_text())}
+        folder = pathlib.Path(self.folder)
+        environment = os.environ | cache | {"CCACHE_DIR": str(folder / "cache")}
+        environment.pop("CCACHE_DISABLE", None)
+        (folder / "all.h").write_text('#include "own.h"\n')
+        command = ["ccache", "g++", "-Winvalid-pch", "-MD", "-MF", "made.d"]
+        for comment, value in (("once", 1), ("anew", 2)):  # comments of one length: preprocessed, the headers are the same
+            (folder / "own.h").write_text(f"#pragma once\n// {comment}\nstruct Own {{ int a; }};\n")
+            (folder / "unit.cpp").write_text(f'#include "own.h"\nOwn made() {{ return {{{value}}}; }}\n')
+            for words in (["-x", "c++-header", "-c", "all.h", "-o", "all.h.gch"], ["-include", "all.h", "-c", "unit.cpp", "-o", "unit.o"]):
+                done = subprocess.run([*command, *words], cwd=folder, env=environment, capture_output=True, text=True, timeout=120)
+                self.assertEqual(done.returncode, 0, done.stderr)
+        counts = subprocess.run(["ccache", "--print-stats"], env=environment, check=True, capture_output=True, text=True).stdout
+        self.assertRegex(counts, r"(?m)^cache_miss\t4$")  # the cache was asked
+
     def test_an_exported_CDPATH_changes_nothing(self):
         done = subprocess.run(["bash", "-c", 'source installer/common.sh; printf %s "$root"'], cwd=SOURCE,
                               env=os.environ | {"CDPATH": "."}, capture_output=True, text=True, timeout=120)
