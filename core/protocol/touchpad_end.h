@@ -69,12 +69,11 @@ struct RefusalCount {
 /// How the link is doing, in figures that mean the same in every protocol.
 struct LinkFigures {
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  std::uint64_t states = 0;   ///< of the robot
-  std::uint64_t touches = 0;  ///< to the robot
-  std::uint64_t refused = 0;  ///< datagrams counted and not used
-  std::uint64_t lost = 0;     ///< times the link was declared lost
-  /// The robot's, each of which measures the round trip anew (FYD Link only).
-  std::uint64_t heartbeats = 0;
+  std::uint64_t states = 0;      ///< of the robot
+  std::uint64_t touches = 0;     ///< to the robot
+  std::uint64_t refused = 0;     ///< datagrams counted and not used
+  std::uint64_t lost = 0;        ///< times the link was declared lost
+  std::uint64_t heartbeats = 0;  ///< the robot's that measured the round trip anew (FYD Link only)
   double silence_ms = kUnknown;
   double period_ms = kUnknown;  ///< between states
   double jitter_ms = kUnknown;

@@ -21,7 +21,8 @@ constexpr std::string_view kBoardText = "FYD Console " FYD_VERSION;
 }  // namespace
 
 double NeededDelay::add(const protocol::LinkFigures& figures) {
-  if (figures.heartbeats != heartbeats_) {
+  if (figures.heartbeats < heartbeats_) heartbeats_ = figures.heartbeats;  // counted anew
+  if (figures.heartbeats - heartbeats_ >= kHeartbeats) {
     heartbeats_ = figures.heartbeats;
     const double needed_ms = kDelayStep_ms * std::ceil(figures.sample_delay_ms / kDelayStep_ms);
     needed_ms_[next_++ % kValues] = std::isfinite(needed_ms) ? needed_ms : 0.0;

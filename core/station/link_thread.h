@@ -43,11 +43,13 @@ struct LinkSnapshot {
 /// How long the texture is to wait for accelerations. A wait that is raised stays, so one late moment must not raise it:
 /// the result is the least of what the newest values ask for, in coarse steps, so that small changes of the network's
 /// delay are not followed. A value that no heartbeat has renewed is no new evidence: while the robot is silent, the last
-/// moment before it would count for a second. With fewer heartbeats than kPeriod asks for it takes as many, and longer.
+/// moment before it would count for a second. And the jitter forgets a late moment within some hundred messages only: with
+/// few heartbeats a second the newest values span as many of them, and longer.
 class NeededDelay {
  public:
   static constexpr std::size_t kValues = 20;
-  static constexpr Duration kPeriod = std::chrono::milliseconds(50);  ///< between two values
+  static constexpr Duration kPeriod = std::chrono::milliseconds(50);  ///< between two values, at least
+  static constexpr std::uint64_t kHeartbeats = 5;                     ///< between two values, at least
   static_assert(kValues * kPeriod == std::chrono::seconds(1));
 
   /// @param figures whose sample_delay_ms is NaN: unknown, 0 is needed
@@ -55,7 +57,7 @@ class NeededDelay {
   [[nodiscard]] double add(const protocol::LinkFigures& figures);
 
  private:
-  std::uint64_t heartbeats_ = 0;
+  std::uint64_t heartbeats_ = 0;  ///< at the newest value
   std::array<double, kValues> needed_ms_{};
   std::size_t next_ = 0;
 };

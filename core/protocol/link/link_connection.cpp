@@ -26,30 +26,29 @@ LinkReceived LinkConnection::receive(Bytes datagram, LinkTime now_us, const Link
   const auto envelope = decodeEnvelope(opened.message);
   if (!envelope.ok()) return {.refusal = envelope.refusal};
   LinkReceived out{.message = envelope.value};
-  out.refusal = judge(out.message, now_us, parameters, out.age_us);
+  out.refusal = judge(out, now_us, parameters);
   if (out.ok()) measure(now_us, out.message.sent_us);
   return out;
 }
 
-LinkRefusal LinkConnection::judge(const LinkEnvelope& message, LinkTime now_us, const LinkParameters& parameters,
-                                  std::int64_t& age_us) {
+LinkRefusal LinkConnection::judge(LinkReceived& received, LinkTime now_us, const LinkParameters& parameters) {
+  const LinkEnvelope& message = received.message;
   const auto limit_us = static_cast<std::int64_t>(1e3 * parameters.freshness_ms);
-  bool fresh_by_echo = false;
   if (message.type == LinkMessage::heartbeat) {
     const auto beat = decodeHeartbeat(message);
     if (!beat.ok()) return beat.refusal;
     const std::int64_t round_trip =
         signedDifference(now_us, beat.value.echo_us) - static_cast<std::int64_t>(beat.value.held_us);
     if (round_trip <= longestRoundTrip_us(parameters)) {
-      fresh_by_echo = clock_.sample(now_us, message.sent_us, beat.value.echo_us, beat.value.held_us) >= 0;
+      received.clock_sampled = clock_.sample(now_us, message.sent_us, beat.value.echo_us, beat.value.held_us) >= 0;
     }
   }
   if (!clock_.known()) return LinkRefusal::phase;
-  age_us = clock_.age_us(now_us, message.sent_us);
-  if (fresh_by_echo) return LinkRefusal::none;
+  received.age_us = clock_.age_us(now_us, message.sent_us);
+  if (received.clock_sampled) return LinkRefusal::none;
   const std::int64_t slack_us = clock_.bestRoundTrip_us() / 2 + kFutureSlack_us;
-  if (age_us > limit_us + slack_us) return LinkRefusal::stale;
-  if (age_us < -slack_us) return LinkRefusal::future;
+  if (received.age_us > limit_us + slack_us) return LinkRefusal::stale;
+  if (received.age_us < -slack_us) return LinkRefusal::future;
   return LinkRefusal::none;
 }
 

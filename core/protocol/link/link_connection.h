@@ -21,6 +21,7 @@ namespace fyd::protocol {
 struct LinkReceived {
   LinkEnvelope message;  ///< points into the connection's buffer until the next call
   std::int64_t age_us = 0;
+  bool clock_sampled = false;  ///< a heartbeat whose echo measured the round trip
   LinkRefusal refusal = LinkRefusal::none;
   [[nodiscard]] bool ok() const { return refusal == LinkRefusal::none; }
 };
@@ -58,8 +59,8 @@ class LinkConnection {
   [[nodiscard]] double loss_percent() const { return loss_percent_; }
 
  private:
-  [[nodiscard]] LinkRefusal judge(const LinkEnvelope& message, LinkTime now_us, const LinkParameters& parameters,
-                                  std::int64_t& age_us);
+  /// Also fills in how old it is, and whether it measured.
+  [[nodiscard]] LinkRefusal judge(LinkReceived& received, LinkTime now_us, const LinkParameters& parameters);
   void measure(LinkTime now_us, LinkTime sent_us);
 
   Sealer sealer_;

@@ -128,7 +128,7 @@ void LinkTouchpadEnd::takeConfirmation(Bytes datagram) {
   } else if (!mayTakeOver(pending_->from)) {  // the other robot came back meanwhile
     refuse(LinkRefusal::second_robot);
   } else {
-    ++counters_.heartbeats;
+    if (received.clock_sampled) ++counters_.heartbeats;
     establish();
   }
 }

@@ -98,7 +98,7 @@ void LinkTouchpadEnd::takeSealed(Bytes datagram, const Endpoint& from, const Tou
 
 void LinkTouchpadEnd::takeMessage(const LinkReceived& received, const TouchpadAnswer& answer) {
   if (received.message.type == LinkMessage::heartbeat) {
-    ++counters_.heartbeats;
+    if (received.clock_sampled) ++counters_.heartbeats;
     return;
   }
   if (phase_ == LinkPhase::closed) {

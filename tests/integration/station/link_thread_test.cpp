@@ -147,6 +147,34 @@ TEST(NeededDelay, OneLateMomentOfTheNetworkRaisesNothingAndAWorseNetworkDoes) {
   EXPECT_GE(told_ms, usual_ms + 35.0);
 }
 
+// The jitter forgets a late moment with the messages, not with the time.
+TEST(NeededDelay, OneLateMomentOfASlowLinkRaisesNothingEither) {
+  for (const double rate_Hz : {50.0, 30.0, 20.0}) {
+    protocol::LinkPair pair({.lost_cap_ms = 200.0, .state_rate_Hz = rate_Hz, .touch_rate_Hz = rate_Hz});
+    NeededDelay needed;
+    double told_ms = 0.0, most_told_ms = 0.0, most_ms = 0.0;
+    const auto run = [&](double seconds) {
+      for (int i = 0; i < static_cast<int>(std::lround(20.0 * seconds)); ++i) {
+        pair.run(0.05);
+        const protocol::LinkFigures figures = pair.touchpad.figures(pair.now);
+        told_ms = needed.add(figures);
+        most_ms = std::max(most_ms, figures.sample_delay_ms);
+        most_told_ms = std::max(most_told_ms, told_ms);
+      }
+    };
+    ASSERT_TRUE(pair.connect()) << rate_Hz;
+    run(8.0);
+    const double usual_ms = told_ms;
+    EXPECT_GE(usual_ms, 1e3 / rate_Hz);
+    pair.weather.delay_ms = 300.0;
+    pair.run(1.0 / rate_Hz);
+    pair.weather.delay_ms = 1.0;
+    run(15.0);
+    EXPECT_GT(most_ms, usual_ms + 40.0) << rate_Hz;
+    EXPECT_EQ(most_told_ms, usual_ms) << rate_Hz;
+  }
+}
+
 TEST(SeenPhase, ALossAndANewSessionAreSeenForAStepEach) {
   SeenPhase seen;
   LinkSnapshot newest{.phase = LinkPhase::running, .losses = 1, .sessions = 1};
