@@ -38,9 +38,15 @@ class ChangeCommand : public QUndoCommand {
       out.push_back({.id = each.id.toStdString(), .value = before ? each.from : each.to});
     return out;
   }
+  /// This parameter is no longer changed by it.
+  void leaveOut(const QString& id) {
+    std::erase_if(changes_, [&](const Change& each) { return each.id == id; });
+    if (changes_.empty()) setObsolete(true);
+  }
   int id() const override { return merge_ ? 1 : -1; }
   bool mergeWith(const QUndoCommand* other) override {
     constexpr qint64 kSameDrag_ms = 800;
+    if (changes_.empty()) return false;
     const Change& next = static_cast<const ChangeCommand*>(other)->changes_.front();
     Change& own = changes_.front();
     if (next.id != own.id || age_.elapsed() > kSameDrag_ms) return false;
@@ -238,7 +244,7 @@ void TuningModel::undo() {
   if (feeling_saved_) {
     feelSaved(false);
   } else {
-    step(undo_.index() - 1, true);
+    step(true);
   }
 }
 
@@ -246,16 +252,29 @@ void TuningModel::redo() {
   if (feeling_saved_) {
     feelSaved(false);
   } else {
-    step(undo_.index(), false);
+    step(false);
   }
 }
 
-void TuningModel::step(int index, bool back) {
-  const QUndoCommand* command = undo_.command(index);  // nullptr: there is none
+void TuningModel::step(bool back) {
+  const auto take = [this, back] { back ? undo_.undo() : undo_.redo(); };
+  const auto next_command = [this, back] { return undo_.command(back ? undo_.index() - 1 : undo_.index()); };
+  while (next_command() != nullptr && next_command()->isObsolete()) take();  // which only drops it
+  const QUndoCommand* command = next_command();
   if (command == nullptr) return;
   const auto* change = dynamic_cast<const ChangeCommand*>(command);
   const std::vector<Setting> next = change != nullptr ? change->values(back) : std::vector<Setting>{};
-  propose(next, {.apply = [this, back] { back ? undo_.undo() : undo_.redo(); }});
+  propose(next, {.apply = take});
+}
+
+void TuningModel::forgetChanges(std::string_view id) {
+  leaveAsItIs();
+  const QString name = fromView(id);
+  for (int i = 0; i < undo_.count(); ++i) {
+    // The stack shows its commands only as const.
+    if (auto* change = dynamic_cast<ChangeCommand*>(const_cast<QUndoCommand*>(undo_.command(i))))
+      change->leaveOut(name);
+  }
 }
 
 void TuningModel::feelSaved(bool saved) {

@@ -91,6 +91,8 @@ class TuningModel : public QObject {
   /// While saved values are felt, both only return to the current ones.
   void undo();
   void redo();
+  /// No step of the undo stack leads back to a former value of this parameter; the rest of each step stays.
+  void forgetChanges(std::string_view id);
 
   /// A change that came from elsewhere (the robot's operator): shown, not undoable; the station uses it.
   void accept(std::string_view id, double value);
@@ -135,8 +137,8 @@ class TuningModel : public QObject {
   void store(const QString& id, double value, double was);
   void switchFelt(bool saved);
   void push(const QString& words, std::span<const Setting> settings, bool merge);
-  /// Undoes or redoes this step of the stack.
-  void step(int index, bool back);
+  /// Undoes or redoes the next step of the stack.
+  void step(bool back);
   /// Applies it, or lets it wait when there is a doubt about `next`.
   void propose(std::span<const Setting> next, TuningQuestion change);
 

@@ -97,11 +97,12 @@ void TuningBridge::restart(std::string_view former) {
   model_.returnToCurrent();  // the new session gets the current values, not the saved ones
   station::Profile current = session_.currentProfile();
   const bool other_touchpad = current.calibrated_on != former;
-  if (other_touchpad) model_.undoStack()->clear();
   for (const Parameter& parameter : bindParameters(current)) {
     if (!parameter.isNumber()) continue;
     model_.accept(parameter.id, parameter.value());
-    if (other_touchpad && !calibration::calibratedBy(parameter.id).empty()) model_.markSaved(parameter.id);
+    if (!other_touchpad || calibration::calibratedBy(parameter.id).empty()) continue;
+    model_.markSaved(parameter.id);
+    model_.forgetChanges(parameter.id);
   }
 }
 
