@@ -86,13 +86,14 @@ Session runStation(const std::string& path) {
   if (!opened) return {.failed = opened.error().text()};
   std::vector<pipeline::TelemetrySample> batch(1000);
   (*opened)->start();
-  const Instant start = Clock::now();
+  Instant since = Clock::now();  // the start, then the arming
   bool armed = false;
-  while (toSeconds(Clock::now() - start) < (armed ? station_s() : std::max(station_s(), kPatience_s))) {
+  while (toSeconds(Clock::now() - since) < (armed ? station_s() : kPatience_s)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     const std::size_t taken = (*opened)->takeTelemetry(batch);
     if (armed || taken == 0 || batch[taken - 1].state != pipeline::SafetyState::ready) continue;
     armed = (*opened)->command({.action = pipeline::OperatorAction::arm});
+    since = Clock::now();
   }
   Session out{.recorder = (*opened)->recorderStatus()};
   const station::LoopStatus loop = (*opened)->status().loop;

@@ -88,7 +88,8 @@ void trim(const GestureOptions& options) {
 void addSettings(CLI::App& command, GestureOptions& options) {
   command.add_option("-o,--out", options.out, "The card to write")->required();
   command.add_option("--name", options.name, "What the card is called")->check([](const std::string& name) {
-    return name.empty() || sim::isGestureName(name) ? "" : "expected a name as a card may have: 200 bytes, printable";
+    if (name.empty() || sim::isGestureName(name)) return std::string();
+    return fmt::format("'{}': expected a name as a card may have: 200 bytes, printable", name);
   });
   command.add_option("--speed", options.speed, "Played that much faster, 0.05 to 20")
       ->check(numberFrom(sim::kSlowestGesture, sim::kFastestGesture));

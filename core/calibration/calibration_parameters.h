@@ -64,8 +64,9 @@ struct CalibrationParameters {
             .help = "Load cell: hysteresis and drift beyond this part of the span are pointed out."});
     v.integer("calibration.stiffness_fewest_angles", stiffness_fewest_angles,
               {.minimum = 2, .maximum = 16, .help = "Stiffness map: fewest stretch angles."});
-    v.integer("calibration.stiffness_fewest_presses", stiffness_fewest_presses,
-              {.minimum = 2, .maximum = 100, .help = "Stiffness map: fewest points at each angle."});
+    v.integer(
+        "calibration.stiffness_fewest_presses", stiffness_fewest_presses,
+        {.minimum = 2, .maximum = 100, .help = "Stiffness map: fewest presses of 0.5 mm and more at each angle."});
     v.real(
         "calibration.stiffness_held_out_N", stiffness_held_out_N,
         {.unit = "N", .minimum = 0.001, .maximum = 10, .help = "Stiffness map: largest held-out error of the force."});

@@ -18,6 +18,7 @@
 #include "core/base/system_reason.h"
 #include "core/catalogue/catalogue.h"
 #include "core/catalogue/catalogue_address.h"
+#include "core/recording/file/recording_place.h"
 #include "core/recording/reader/review_notes.h"
 
 namespace fyd::catalogue {

@@ -177,14 +177,15 @@ struct ControlParameters {
     v.real(
         "control.travel_maximum_deg", travel_maximum_deg,
         {.unit = "deg", .minimum = -30, .maximum = 180, .help = sentence("Greatest stretch the controller commands.")});
-    v.real("control.rate_limit_deg_per_s", rate_limit_deg_per_s,
-           {.name = sentence("Rate limit"),
-            .unit = "deg/s",
-            .minimum = 1,
-            .maximum = 360,
-            .help =
-                sentence("Fastest change of the commanded stretch and translation; not of the stretch in mode thesis."),
-            .live = true});
+    v.real(
+        "control.rate_limit_deg_per_s", rate_limit_deg_per_s,
+        {.name = sentence("Rate limit"),
+         .unit = "deg/s",
+         .minimum = 1,
+         .maximum = 360,
+         .help = sentence("Fastest change of the commanded stretch and translation; in mode thesis not of the stretch, "
+                          "unless the robot sets it."),
+         .live = true});
     v.real("control.motor_limit_deg", motor_limit_deg,
            {.unit = "deg",
             .minimum = 10,

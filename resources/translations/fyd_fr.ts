@@ -622,6 +622,10 @@
         <translation>Accepté. Les valeurs sont en vigueur et dans le profil.</translation>
     </message>
     <message>
+        <source>Accepted. The values are in the profile, not in force.</source>
+        <translation>Accepté. Les valeurs sont dans le profil, pas en vigueur.</translation>
+    </message>
+    <message>
         <source>Accepted: the proposed values are in use. Undo takes them back, Save profile keeps them.</source>
         <translation>Accepté : les valeurs proposées sont en usage. Annuler les retire, Enregistrer le profil les garde.</translation>
     </message>
@@ -1798,8 +1802,8 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>FYD Link, scellé</translation>
     </message>
     <message>
-        <source>Fastest change of the commanded stretch and translation; not of the stretch in mode thesis.</source>
-        <translation>Vitesse maximale de l'étirement et de la translation commandés ; pas de l'étirement dans le mode thesis.</translation>
+        <source>Fastest change of the commanded stretch and translation; in mode thesis not of the stretch, unless the robot sets it.</source>
+        <translation>Vitesse maximale de l'étirement et de la translation commandés ; dans le mode thesis pas de l'étirement, sauf si le robot le donne.</translation>
     </message>
     <message>
         <source>Fastest the position sent to the robot moves.</source>
@@ -9692,6 +9696,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: note {}: {}</source>
         <translation>{} : note {} : {}</translation>
+    </message>
+    <message>
+        <source>{}: notes of another recording of this name; move them away, or choose another name</source>
+        <translation>{} : notes d'un autre enregistrement de ce nom ; les déplacer, ou choisir un autre nom</translation>
     </message>
     <message>
         <source>{}: nothing more can be recorded: {}</source>

@@ -622,6 +622,10 @@
         <translation>Accettato. I valori sono in vigore e nel profilo.</translation>
     </message>
     <message>
+        <source>Accepted. The values are in the profile, not in force.</source>
+        <translation>Accettata. I valori sono nel profilo, non in vigore.</translation>
+    </message>
+    <message>
         <source>Accepted: the proposed values are in use. Undo takes them back, Save profile keeps them.</source>
         <translation>Accettato: i valori proposti sono in uso. Annulla li toglie, Salva il profilo li conserva.</translation>
     </message>
@@ -1798,8 +1802,8 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>FYD Link, sigillato</translation>
     </message>
     <message>
-        <source>Fastest change of the commanded stretch and translation; not of the stretch in mode thesis.</source>
-        <translation>Massima velocità della tensione e della traslazione comandate; non della tensione nel modo thesis.</translation>
+        <source>Fastest change of the commanded stretch and translation; in mode thesis not of the stretch, unless the robot sets it.</source>
+        <translation>Massima velocità della tensione e della traslazione comandate; nel modo thesis non della tensione, a meno che sia il robot a darla.</translation>
     </message>
     <message>
         <source>Fastest the position sent to the robot moves.</source>
@@ -9692,6 +9696,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: note {}: {}</source>
         <translation>{}: nota {}: {}</translation>
+    </message>
+    <message>
+        <source>{}: notes of another recording of this name; move them away, or choose another name</source>
+        <translation>{}: note di un'altra registrazione con questo nome; spostarle altrove, o scegliere un altro nome</translation>
     </message>
     <message>
         <source>{}: nothing more can be recorded: {}</source>

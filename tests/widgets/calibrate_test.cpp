@@ -3,6 +3,8 @@
 #include <fstream>
 
 #include "app/console/shell/calibration_ages.h"
+#include "core/base/parameter.h"
+#include "core/calibration/calibration_part.h"
 #include "core/sim/cloth/cloth.h"
 #include "core/sim/touchpad/ir_sensor.h"
 #include "core/sim/touchpad/picture.h"
@@ -592,12 +594,15 @@ class CalibrateTest : public QObject {
     c.click(c.page->takeButton());
     c.readings(kReadings);
     QCOMPARE(c.page->points().size(), std::size_t{1});
+    const auto depth_mm = [&c](int row) { return c.page->table()->item(row, 1)->text().toDouble(); };
+    const double before_mm = depth_mm(0);
     tare(1.5);
     c.click(c.page->takeButton());
     c.readings(kReadings);
     QCOMPARE(c.page->points().size(), std::size_t{2});
-    const double deeper_mm = c.page->points()[1].back() - c.page->points()[0].back();
-    QVERIFY2(std::abs(deeper_mm - 1.5) < 1e-6, qPrintable(QString::number(deeper_mm)));
+    for (const int row : {0, 1}) {  // both are counts
+      QVERIFY2(std::abs(depth_mm(row) - before_mm - 1.5) < 0.011, qPrintable(QString::number(depth_mm(row))));
+    }
     c.click(c.page->takeButton());
     c.readings(kReadings / 2);
     tare(0.5);
@@ -692,6 +697,55 @@ class CalibrateTest : public QObject {
     c.window->feed().pump();
     QVERIFY2(!c.page->unfinished().contains(QStringLiteral("Stiffness")), qPrintable(c.page->unfinished()));
     QVERIFY2(c.page->unfinished().contains(QStringLiteral("Cloth")), qPrintable(c.page->unfinished()));
+  }
+
+  /// A tare that the window hears while it writes empties the fit that is shown; what was accepted stays what it was.
+  void aTareHeardWhileAcceptingTakesNothingBack() {
+    Calibrating c("stiffness");
+    c.click(c.page->simulateButton());
+    c.state(SafetyState::stopped);
+    QVERIFY2(c.page->acceptButton()->isEnabled(), qPrintable(c.page->fitPanel()->verdict()));
+    station::Notice tare{.message = say("Tare done")};
+    tare.event.kind = pipeline::EventKind::tare_done;
+    c.session->notices.push_back(tare);
+    c.click(c.page->acceptButton());
+    QCOMPARE(c.session->begun_anew, 1);
+    const auto saved = c.saved();
+    QVERIFY(saved.has_value());
+    int changed = 0;
+    station::Profile in_force = c.session->profile, in_file = *saved, standard;
+    const auto own = bindParameters(in_force), written = bindParameters(in_file), usual = bindParameters(standard);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (calibration::calibratedBy(own[i].id) != "stiffness") continue;
+      QCOMPARE(formatParameter(own[i]), formatParameter(written[i]));
+      changed += formatParameter(own[i]) != formatParameter(usual[i]) ? 1 : 0;
+    }
+    QVERIFY(changed > 0);
+  }
+
+  void aSessionThatGoesOnWithItsValuesKeepsThePointsReadWithThem() {
+    Calibrating c("stiffness");
+    c.click(c.page->simulateButton());
+    c.page->choose(QStringLiteral("load-cell"));
+    c.click(c.page->simulateButton());
+    c.state(SafetyState::stopped);
+    c.session->refuses = true;
+    c.click(c.page->acceptButton());
+    QVERIFY2(c.page->unfinished().contains(QStringLiteral("Stiffness map")), qPrintable(c.page->unfinished()));
+    QVERIFY2(!c.page->unfinished().contains(QStringLiteral("Load cell")), qPrintable(c.page->unfinished()));
+    QVERIFY2(c.page->hint().contains(QStringLiteral("not in force")), qPrintable(c.page->hint()));
+  }
+
+  /// Its presses are counts: how deep each is follows from the offsets and curves in force.
+  void thePressesOnTheClothAreAsDeepAsTheOffsetsInForceSay() {
+    Calibrating c("cloth");
+    c.click(c.page->simulateButton());
+    const auto depth = [&c] { return c.page->table()->item(0, 1)->text().toDouble(); };
+    const double before_mm = depth();
+    auto& offsets_mm = c.session->profile.step.sensing.indentation.ir_offset_mm;
+    for (std::size_t i = 0; i < offsets_mm.size(); ++i) offsets_mm[i] += 0.5;
+    c.page->enter();
+    QVERIFY2(std::abs(depth() - before_mm - 0.5) < 0.02, qPrintable(QString::number(depth() - before_mm)));
   }
 
   void nothingIsAcceptedWhileARecordingBegins() {

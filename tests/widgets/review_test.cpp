@@ -9,6 +9,7 @@
 #include "core/catalogue/archive_move.h"
 #include "core/catalogue/catalogue.h"
 #include "core/catalogue/catalogue_delivery.h"
+#include "core/recording/file/recording_place.h"
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/suite.h"
 #include "widgets/basics/number_text.h"

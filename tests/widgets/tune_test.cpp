@@ -68,6 +68,8 @@ class TuneTest : public QObject {
     WAIT_EQUAL(sources->count(), 1);
     QVERIFY(sources->itemText(0).contains(QStringLiteral("this session")));
     QVERIFY(!f.page->study().proposal());
+    QVERIFY2(f.page->proposal()->words().contains(QStringLiteral("proposes gains")),
+             qPrintable(f.page->proposal()->words()));
   }
 
   void everyLiveParameterIsThereWithItsRangeDefaultAndHelp() {
@@ -297,6 +299,9 @@ class TuneTest : public QObject {
     QCOMPARE(f.used(kCalibrated), 91.0);
     f.page->tabs()->setCurrentWidget(f.page->presets());
     f.enter(f.page->presets()->nameField(), QStringLiteral("here"));
+    f.choosePreset(QStringLiteral("here"));
+    click(f.page->presets()->removeButton());
+    QVERIFY(f.presets().isEmpty());
     QVERIFY(QDir(f.folder.path()).mkpath(QStringLiteral("presets")));
     QFile older(f.folder.filePath(QStringLiteral("presets/older.toml")));
     QVERIFY(older.open(QIODevice::WriteOnly));
@@ -313,8 +318,17 @@ class TuneTest : public QObject {
     QCOMPARE(f.value(kCalibrated), 55.0);
     QVERIFY(!f.model().anyChanged());
     QVERIFY(f.model().revertAll().has_value());
+    // What is of no touchpad can still be taken back: a deleted preset has no other copy.
+    f.model().undo();
+    QCOMPARE(f.presets(), (QStringList{QStringLiteral("here"), QStringLiteral("older")}));
+    f.model().undo();  // the saving of it
+    QCOMPARE(f.presets(), QStringList{QStringLiteral("older")});
+    for (int i = 0; i < 2; ++i) f.model().undo();
+    for (int i = 0; i < 4; ++i) f.model().redo();
+    QCOMPARE(f.presets(), QStringList{QStringLiteral("older")});
     f.model().undo();
     QVERIFY(f.session->changes.empty());
+    QCOMPARE(f.value(kCalibrated), 55.0);
     f.window->frame()->go(QStringLiteral("operate"));
     f.window->frame()->go(QStringLiteral("tune"));
     for (const char* preset : {"here", "older"}) {

@@ -67,7 +67,11 @@ TuningProposal::TuningProposal(QWidget* parent)
   connect(accept_, &QPushButton::clicked, this, &TuningProposal::acceptAsked);
   connect(discard_, &QPushButton::clicked, this, &TuningProposal::discardAsked);
   showRunning(false);
-  clear(tr("Finds out how cloth and sensors answer and proposes gains. Nothing changes until you accept."));
+  clear(purpose());
+}
+
+QString TuningProposal::purpose() {
+  return tr("Finds out how cloth and sensors answer and proposes gains. Nothing changes until you accept.");
 }
 
 void TuningProposal::setSources(const QStringList& names) {

@@ -33,6 +33,8 @@ class TuningProposal : public QWidget {
   void showProposal(const std::vector<ProposalLine>& lines, const QString& identified);
   /// Removes the proposal; the text says why.
   void clear(const QString& words);
+  /// What it is for, where there is nothing else to say.
+  [[nodiscard]] static QString purpose();
 
   [[nodiscard]] bool hasProposal() const { return accept_->isEnabled(); }
   [[nodiscard]] QTableWidget* table() const { return table_; }

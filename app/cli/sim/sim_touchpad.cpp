@@ -1,4 +1,5 @@
 // fyd sim touchpad: the touchpad as its own process, behind the protocols of a real one.
+#include <filesystem>
 #include <iostream>
 #include <thread>
 
@@ -70,7 +71,9 @@ void runSimTouchpad(SimTouchpadOptions& options) {
                       !options.process.modbus_rtu.empty() || !options.process.qbmove.empty();
   if (!served)
     throw UsageError(say("sim touchpad: expected one of --modbus-tcp, --modbus-rtu, --qbmove, --camera-mjpeg"));
-  if (!options.process.qbmove.empty() && options.process.qbmove == options.process.modbus_rtu) {
+  const auto place = [](const std::string& link) { return std::filesystem::absolute(link).lexically_normal(); };
+  if (!options.process.qbmove.empty() && !options.process.modbus_rtu.empty() &&
+      place(options.process.qbmove) == place(options.process.modbus_rtu)) {
     throw UsageError(say("--modbus-rtu, --qbmove: {} both; expected two ports", options.process.qbmove));
   }
   for (const std::string& text : options.faults) {

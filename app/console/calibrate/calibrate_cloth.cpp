@@ -21,9 +21,9 @@ using widgets::tr;
 
 constexpr double kOld_ms = 500.0;
 
-/// Points are: a code of each sensor, then the contact on the cloth (perspective removed), the bridge, and how deep the
-/// press is at the sensor under the finger.
-enum Place : std::size_t { kX, kY, kArea, kBridge, kDepth, kAfterCodes };
+/// Points are: a code of each sensor, then the contact on the cloth (perspective removed) and the bridge. How deep a
+/// press is follows from the codes, by the curves and offsets in force.
+enum Place : std::size_t { kX, kY, kArea, kBridge, kAfterCodes };
 
 double after(const CalibrationPoint& point, Place place) { return point[point.size() - kAfterCodes + place]; }
 
@@ -51,18 +51,23 @@ double dropOf(const sensing::IndentationParameters& p, std::size_t sensor, doubl
                                                       : calibration::kUnknown;
 }
 
+/// How deep the press is at the sensor under the finger, mm; NaN: it does not read.
+double depthOf(const CalibrationPoint& point, const sensing::IndentationParameters& p) {
+  const std::size_t sensor = nearestTo(after(point, kX), after(point, kY), p).sensor;
+  return sensor + kAfterCodes < point.size() ? dropOf(p, sensor, point[sensor]) : calibration::kUnknown;
+}
+
 /// @param codes one per sensor; @param seen as the camera sees it
 CalibrationPoint pointOnTheCloth(std::vector<double> codes, const sensing::Contact& seen, double bridge_mV_per_V,
                                  const sensing::IndentationParameters& p) {
   sensing::Contact contact = seen;
-  double depth_mm = calibration::kUnknown;
   // The depth moves the contact by a few per cent of its distance from the middle: the sensor stays the nearest.
   for (int round = 0; round < 2; ++round) {
     const std::size_t sensor = nearestTo(contact.x_mm, contact.y_mm, p).sensor;
-    depth_mm = dropOf(p, sensor, codes[sensor]);
+    const double depth_mm = dropOf(p, sensor, codes[sensor]);
     if (std::isfinite(depth_mm)) contact = sensing::withoutPerspective(seen, depth_mm, p.camera_height_mm);
   }
-  codes.insert(codes.end(), {contact.x_mm, contact.y_mm, contact.area_mm2, bridge_mV_per_V, depth_mm});
+  codes.insert(codes.end(), {contact.x_mm, contact.y_mm, contact.area_mm2, bridge_mV_per_V});
   return codes;
 }
 
@@ -70,6 +75,10 @@ class ClothStep : public CalibrationStep {
  public:
   explicit ClothStep(const station::Profile& profile)
       : indentation_(profile.step.sensing.indentation), limits_(profile.calibration) {}
+  void takeProfile(const station::Profile& profile) override {
+    indentation_ = profile.step.sensing.indentation;
+    limits_ = profile.calibration;
+  }
   QString id() const override { return QStringLiteral("cloth"); }
   std::string procedure() const override { return "cloth"; }
   std::string_view errorLimit() const override { return "calibration.cloth_held_out_mm"; }
@@ -92,7 +101,7 @@ class ClothStep : public CalibrationStep {
   }
   QStringList row(const CalibrationPoint& point) const override {
     const Nearest nearest = nearestTo(after(point, kX), after(point, kY), indentation_);
-    return {QString::number(nearest.sensor + 1), widgets::numberText(after(point, kDepth), 2),
+    return {QString::number(nearest.sensor + 1), widgets::numberText(depthOf(point, indentation_), 2),
             widgets::numberText(nearest.beside_mm, 1), widgets::numberText(after(point, kArea), 1),
             widgets::numberText(after(point, kBridge), 3)};
   }
@@ -132,7 +141,7 @@ class ClothStep : public CalibrationStep {
           "the finger is {:.1f} mm beside distance sensor {}, at most {:g} mm count: move it to {:.0f}, {:.0f} mm",
           nearest.beside_mm, nearest.sensor + 1, allowed_mm, p.ir_x_mm[nearest.sensor], p.ir_y_mm[nearest.sensor]);
     }
-    if (!std::isfinite(after(out, kDepth)))
+    if (!std::isfinite(depthOf(out, p)))
       return fail("distance sensor {} does not read: look under Devices", nearest.sensor + 1);
     return out;
   }
@@ -171,7 +180,7 @@ class ClothStep : public CalibrationStep {
         sum += drop_mm;
         ++count;
       }
-      out.plot.points.emplace_back(after(points[i], kDepth), count > 0 ? sum / count : calibration::kUnknown);
+      out.plot.points.emplace_back(depthOf(points[i], p), count > 0 ? sum / count : calibration::kUnknown);
     }
     out.plot.residuals = found.result.residuals;
     if (found.result.coefficients.size() == 2) {
@@ -222,7 +231,7 @@ class ClothStep : public CalibrationStep {
     for (std::size_t sensor = 0; sensor < sensorsOf(indentation_); ++sensor) {
       double shallowest = std::numeric_limits<double>::infinity(), deepest = 0.0;
       for (const CalibrationPoint& point : points) {
-        const double depth_mm = after(point, kDepth);
+        const double depth_mm = depthOf(point, indentation_);
         if (nearestTo(after(point, kX), after(point, kY), indentation_).sensor != sensor) continue;
         shallowest = std::min(shallowest, depth_mm);
         deepest = std::max(deepest, depth_mm);

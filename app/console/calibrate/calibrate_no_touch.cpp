@@ -18,6 +18,7 @@ using widgets::tr;
 class NoTouchStep : public CalibrationStep {
  public:
   explicit NoTouchStep(const station::Profile& profile) : indentation_(profile.step.sensing.indentation) {}
+  void takeProfile(const station::Profile& profile) override { indentation_ = profile.step.sensing.indentation; }
   QString id() const override { return QStringLiteral("no-touch"); }
   std::string procedure() const override { return "no-touch"; }
   bool onePoint() const override { return true; }

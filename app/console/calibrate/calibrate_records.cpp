@@ -65,22 +65,22 @@ Result<void> writePicture(const QImage& picture, const QString& path) {
 
 }  // namespace
 
-bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result, int sensor,
-                       const AcceptedWords& said) {
+Acceptance acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result, int sensor,
+                             const AcceptedWords& said) {
   const QString path = context.tuning.profilePath();
   const bool exists = QFileInfo::exists(path);
   QDir().mkpath(QFileInfo(path).absolutePath());
   if (const QString why = context.tuning.claim().whyNot(); !why.isEmpty()) {
     context.tell_about(kAccepting, Severity::error,
                        tr("Not accepted, the old values stay. %1").arg(why + QLatin1Char('.')));
-    return false;
+    return Acceptance::refused;
   }
   const station::Profile in_force = context.session.currentProfile();
   auto profile = profileToWrite(path.toStdString(), in_force, exists);
   if (!profile) {
     context.tell_about(kAccepting, Severity::error,
                        tr("Not accepted, the old values stay. %1").arg(widgets::coreText(profile.error().message)));
-    return false;
+    return Acceptance::refused;
   }
   keepOffsetInForce(*profile, in_force, sensor);
   const std::string when = nowUtc();
@@ -89,7 +89,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
     if (const auto drawn = writePicture(said.picture, picture); !drawn) {
       context.tell_about(kAccepting, Severity::error,
                          tr("Not accepted, the old values stay. %1").arg(widgets::coreText(drawn.error().message)));
-      return false;
+      return Acceptance::refused;
     }
   }
   const auto record = station::saveCalibration(result,
@@ -104,7 +104,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
     if (!picture.isEmpty()) QFile::remove(picture);
     context.tell_about(kAccepting, Severity::error,
                        tr("Not accepted, the old values stay. %1").arg(widgets::coreText(record.error().message)));
-    return false;
+    return Acceptance::refused;
   }
 
   context.tuning.claim().written();
@@ -112,7 +112,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
   if (result.changes.empty()) {
     context.tell_about(kAccepting, Severity::information,
                        tr("Accepted and noted beside %1. It changes no value.").arg(file));
-    return true;
+    return Acceptance::in_force;
   }
 
   // The running step cannot change these values, so a new session is begun with them.
@@ -137,7 +137,7 @@ bool acceptCalibration(const PageContext& context, const calibration::Calibratio
                           "window again to use it.")
                            .arg(file, widgets::coreText(begun.error().message)));
   }
-  return true;
+  return begun ? Acceptance::in_force : Acceptance::written;
 }
 
 QString lastWhoCalibrated(const PageContext& context) {

@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <QString>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,17 @@ struct AcceptedWords {
   bool simulated = false;  ///< the points are not readings of a real touchpad
 };
 
+enum class Acceptance : std::uint8_t {
+  refused,
+  written,   ///< in the profile; the session goes on with the former values
+  in_force,  ///< in the profile, and the session has them (also where nothing changes)
+};
+
 /// Writes record and profile, then begins the session anew with the new values. Only while nothing can move. Success
-/// and failure are shown as notices; @return whether the files were written
-[[nodiscard]] bool acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result,
-                                     int sensor, const AcceptedWords& words);
+/// and failure are shown as notices.
+/// @param result must not change when the session is heard in between
+[[nodiscard]] Acceptance acceptCalibration(const PageContext& context, const calibration::CalibrationResult& result,
+                                           int sensor, const AcceptedWords& words);
 
 /// Who made the newest calibration beside the profile, on whichever touchpad; empty: nobody said so.
 [[nodiscard]] QString lastWhoCalibrated(const PageContext& context);

@@ -67,6 +67,8 @@ struct CalibrationFit {
 class CalibrationStep {
  public:
   virtual ~CalibrationStep() = default;
+  /// The values in force are these now.
+  virtual void takeProfile(const station::Profile&) {}
   [[nodiscard]] virtual QString id() const = 0;  ///< "load-cell", "ir-2"
   [[nodiscard]] QString name() const;            ///< calibration::partName
   /// As in the record. Its drawing is resources/icons/calibrate-PROCEDURE.svg, if there is one.

@@ -22,6 +22,10 @@ class StiffnessStep : public CalibrationStep {
  public:
   explicit StiffnessStep(const control::ControlParameters& control)
       : lowest_deg_(control.travel_minimum_deg), highest_deg_(control.travel_maximum_deg) {}
+  void takeProfile(const station::Profile& profile) override {
+    lowest_deg_ = profile.step.control.travel_minimum_deg;
+    highest_deg_ = profile.step.control.travel_maximum_deg;
+  }
   QString id() const override { return QStringLiteral("stiffness"); }
   std::string procedure() const override { return "stiffness"; }
   std::string_view errorLimit() const override { return "calibration.stiffness_held_out_N"; }

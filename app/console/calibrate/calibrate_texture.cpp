@@ -61,6 +61,10 @@ class TextureStep : public CalibrationStep {
  public:
   explicit TextureStep(const station::Profile& profile)
       : lowest_deg_(profile.step.control.travel_minimum_deg), highest_deg_(profile.step.control.travel_maximum_deg) {}
+  void takeProfile(const station::Profile& profile) override {
+    lowest_deg_ = profile.step.control.travel_minimum_deg;
+    highest_deg_ = profile.step.control.travel_maximum_deg;
+  }
   QString id() const override { return QStringLiteral("texture"); }
   std::string procedure() const override { return "texture"; }
   int readings() const override { return 1; }

@@ -62,6 +62,7 @@ bool CalibrationRun::renders() const { return !silent_ && !mayMove(); }
 
 void CalibrationRun::takeProfile() {
   profile_ = context_.session.currentProfile();
+  for (const auto& each : steps_) each->takeProfile(profile_);
   refit();
 }
 
@@ -383,13 +384,17 @@ void CalibrationRun::accept(const AcceptedWords& words) {
     record.conditions =
         std::string(calibration::kSimulatedPoints) + (record.conditions.empty() ? "" : "; " + record.conditions);
   }
-  if (!acceptCalibration(context_, fit_.result, step().sensor(), record)) return;
+  // A copy: a tare that is heard meanwhile fits what is left of the points.
+  const calibration::CalibrationResult judged = fit_.result;
+  const Acceptance accepted_as = acceptCalibration(context_, judged, step().sensor(), record);
+  if (accepted_as == Acceptance::refused) return;
   points_.clear(step_);
-  discardReadWith(step().procedure());
-  profile_ = context_.session.currentProfile();
-  emit said(tr("Accepted. The values are in force and in the profile."), false);
+  if (accepted_as == Acceptance::in_force) discardReadWith(step().procedure());
+  takeProfile();
+  emit said(accepted_as == Acceptance::in_force ? tr("Accepted. The values are in force and in the profile.")
+                                                : tr("Accepted. The values are in the profile, not in force."),
+            false);
   emit accepted();
-  refit();
 }
 
 void CalibrationRun::writeReport() {

@@ -105,7 +105,7 @@ void FingerMenu::take(const Hand& hand) {
 void FingerMenu::playFile(const QString& path) {
   folder_ = QFileInfo(path).absolutePath();
   reading_.run([this, path](const std::stop_token&) -> Background::Finish {
-    return [this, hand = read(path)] {
+    return [this, hand = guarded([&] { return read(path); })] {
       if (!hand) {
         tell_(widgets::Severity::warning, widgets::coreText(hand.error().message));
         return;

@@ -117,6 +117,7 @@ SceneDock::SceneDock(widgets::SceneView* view, QWidget* parent)
     emit fingerMoved(finger.x_mm, finger.y_mm, finger.indentation_mm);
   });
   connect(view_, &widgets::SceneView::pointReleased, this, &SceneDock::fingerReleased);
+  connect(&preparing_, &Background::failed, view_, &widgets::SceneView::setEmptyText);
   prepare();
 }
 

@@ -98,7 +98,7 @@ void ReviewExports::run(const std::string& target, Write write, const QString& t
   auto* work = works_[target] = new LongWork(bars_, this);
   work->run(tr("Writing %1").arg(QFileInfo(name).fileName()),
             [this, target, write = std::move(write), then](const recording::Progress& progress) {
-              const auto done = write(progress);
+              const auto done = guarded([&] { return write(progress); });
               return [this, done, target, then] { finish(target, done, then); };
             });
 }

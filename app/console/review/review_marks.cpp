@@ -7,6 +7,7 @@
 
 #include "core/catalogue/catalogue_text.h"
 #include "core/pipeline/parameters.h"
+#include "core/recording/file/recording_place.h"
 #include "core/station/notice.h"
 #include "widgets/basics/core_text.h"
 
@@ -146,7 +147,7 @@ void ReviewMarks::deliverNext() {
   if (waiting_.empty()) return;
   work_.run([this, next = waiting_.front(),
              catalogue = catalogue_.toStdString()](const std::stop_token&) -> Background::Finish {
-    const auto done = catalogue::catalogueReview(catalogue, next.id, next.change);
+    const auto done = guarded([&] { return catalogue::catalogueReview(catalogue, next.id, next.change); });
     return [this, done] {
       if (!done) tell_(Severity::warning, widgets::coreText(done.error().message));
       waiting_.erase(waiting_.begin());

@@ -33,11 +33,11 @@ void ReviewRecovery::recover(const QString& path) {
   }
   work_.run(tr("Recovering %1").arg(QFileInfo(path).fileName()),
             [this, path, catalogue = catalogue_.toStdString()](const recording::Progress& progress) {
-              const auto outcome = recording::recover(path.toStdString(), progress);
+              const auto outcome = guarded([&] { return recording::recover(path.toStdString(), progress); });
               Result<void> entered;
               // A catalogue's server may answer slowly, so it is not asked while the window closes.
               if (outcome && !outcome->file.empty() && progress(1.0))
-                entered = catalogue::catalogueRecording(catalogue, outcome->file);
+                entered = guarded([&] { return catalogue::catalogueRecording(catalogue, outcome->file); });
               return [this, path, outcome, entered] {
                 finish(path, outcome);
                 if (!entered) tell_(Severity::warning, widgets::coreText(entered.error().message));

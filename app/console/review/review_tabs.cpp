@@ -102,9 +102,10 @@ void ReviewTabs::showFigures(double a_s, double b_s) {
   if (!std::isfinite(a_s) || !std::isfinite(b_s)) return;
   using Figures = Result<std::vector<StretchFigures>>;
   const auto work = [this, path = path_.toStdString(), a_s, b_s](const recording::Progress& progress) {
-    auto opened = recording::Recording::open(path);
-    auto figures = std::make_shared<Figures>(opened ? figuresBetween(**opened, a_s, b_s, progress)
-                                                    : Figures(tl::unexpected(opened.error())));
+    auto figures = std::make_shared<Figures>(guarded([&]() -> Figures {
+      auto opened = recording::Recording::open(path);
+      return opened ? figuresBetween(**opened, a_s, b_s, progress) : Figures(tl::unexpected(opened.error()));
+    }));
     return [this, figures, a_s, b_s] {
       if (*figures) {
         figures_table_->setFigures(**figures, b_s - a_s);

@@ -138,7 +138,7 @@ void SessionList::look() {
   say(tr("Searching …"));
   work_.run([this, catalogue = catalogue_.toStdString(),
              text = filter_->text().toStdString()](const std::stop_token&) -> Background::Finish {
-    auto found = std::make_shared<Found>(search(catalogue, text));
+    auto found = std::make_shared<Found>(guarded([&] { return search(catalogue, text); }));
     return [this, found] {
       fill(*found ? **found : std::vector<catalogue::CatalogueEntry>{});
       if (!*found) say(widgets::coreText(found->error().message));

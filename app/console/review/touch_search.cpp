@@ -19,7 +19,7 @@ Touches touchesOf(const std::string& path, const recording::Progress& progress) 
 void TouchSearch::look(const QString& path, Found found) {
   work_.run(tr("Looking for touches in %1").arg(QFileInfo(path).fileName()),
             [path = path.toStdString(), found = std::move(found)](const recording::Progress& progress) {
-              const auto touches = std::make_shared<Touches>(touchesOf(path, progress));
+              const auto touches = std::make_shared<Touches>(guarded([&] { return touchesOf(path, progress); }));
               return [touches, found] { found(*touches); };
             });
 }

@@ -16,20 +16,16 @@ using widgets::numberText;
 
 struct Stopped {};
 
-/// Runs on the work's thread.
-struct Replayed {
-  Result<replay::ReplayResult> result;
-  std::shared_ptr<widgets::CurveBuffer> curves;
-};
-
-Replayed replayFile(const std::string& path, const replay::ReplayOptions& options,
-                    const recording::Progress& progress) {
+/// Runs on the work's thread. @param curves gets what the replay computes
+Result<replay::ReplayResult> replayFile(const std::string& path, const replay::ReplayOptions& options,
+                                        const recording::Progress& progress,
+                                        std::shared_ptr<widgets::CurveBuffer>& curves) {
   auto recording = recording::Recording::open(path);
-  if (!recording) return {tl::unexpected(recording.error()), nullptr};
+  if (!recording) return tl::unexpected(recording.error());
   const recording::RecordingInfo& info = (*recording)->info();
   // Limits the memory for a recording of hours: of a longer one the newest samples are kept.
   constexpr std::uint64_t kMostSamples = 8'000'000;
-  auto curves = std::make_shared<widgets::CurveBuffer>(
+  curves = std::make_shared<widgets::CurveBuffer>(
       kReviewQuantities.size(),
       static_cast<std::size_t>(std::clamp<std::uint64_t>(info.committed_samples, 1, kMostSamples)));
   const auto fields = pipeline::telemetryFields();
@@ -37,7 +33,7 @@ Replayed replayFile(const std::string& path, const replay::ReplayOptions& option
   for (std::size_t q = 0; q < indexes.size(); ++q) indexes[q] = fieldIndex(kReviewQuantities[q].field);
   std::uint64_t rows = 0;
   try {
-    auto result = replay::replay(**recording, options, [&](const auto& replayed, const auto&) {
+    return replay::replay(**recording, options, [&](const auto& replayed, const auto&) {
       constexpr std::uint64_t kLook = 4096;
       const double done = static_cast<double>(rows) / static_cast<double>(info.committed_samples);
       if (rows++ % kLook == 0 && !recording::tellProgress(progress, done)) throw Stopped{};
@@ -45,9 +41,8 @@ Replayed replayFile(const std::string& path, const replay::ReplayOptions& option
       for (std::size_t q = 0; q < values.size(); ++q) values[q] = static_cast<float>(fields[indexes[q]].read(replayed));
       (void)curves->append(recording::secondsInto(info, replayed.now), values);
     });
-    return {std::move(result), std::move(curves)};
   } catch (const Stopped&) {
-    return {fail("stopped"), nullptr};
+    return fail("stopped");
   }
 }
 
@@ -176,8 +171,9 @@ void WhatIfPanel::run() {
   run_->setEnabled(false);
   work_.run(tr("Running %1 again").arg(QFileInfo(path_).fileName()),
             [this, path = path_.toStdString(), options](const recording::Progress& progress) {
-              auto done = std::make_shared<Replayed>(replayFile(path, options, progress));
-              return [this, done] { finish(done->result, done->curves); };
+              std::shared_ptr<widgets::CurveBuffer> curves;
+              auto result = guarded([&] { return replayFile(path, options, progress, curves); });
+              return [this, result = std::move(result), curves] { finish(result, curves); };
             });
 }
 

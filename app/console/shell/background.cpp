@@ -6,7 +6,14 @@
 
 #include <QCoreApplication>
 
+#include "widgets/basics/core_text.h"
+
 namespace fyd::console {
+
+tl::unexpected<Error> thrown(const std::exception& problem) {
+  spdlog::error("Work in the background was given up: {}", problem.what());
+  return fail(verbatim(problem.what()));
+}
 
 Background::~Background() {
   for (auto& [number, thread] : threads_) thread.request_stop();
@@ -23,8 +30,7 @@ void Background::run(Work work) {
     try {
       done = work(stop);
     } catch (const std::exception& problem) {  // out of memory, or of a library: the session goes on
-      spdlog::error("Work in the background was given up: {}", problem.what());
-      done = [this, why = QString::fromUtf8(problem.what())] { emit failed(why); };
+      done = [this, why = widgets::coreText(thrown(problem).value().message)] { emit failed(why); };
     }
     // The destructor waits for this thread, so `this` is valid; calls queued for it are dropped with it.
     QMetaObject::invokeMethod(

@@ -2,12 +2,29 @@
 #pragma once
 
 #include <QObject>
+#include <exception>
 #include <functional>
 #include <map>
 #include <stop_token>
 #include <thread>
 
+#include "core/base/error.h"
+
 namespace fyd::console {
+
+/// What was thrown, as an error in the library's words; it is logged.
+[[nodiscard]] tl::unexpected<Error> thrown(const std::exception& problem);
+
+/// A result as `compute` returns it; what it throws (out of memory, or of a library) is its error. For work whose finish
+/// tells errors.
+template <class Compute>
+[[nodiscard]] auto guarded(Compute&& compute) -> decltype(compute()) {
+  try {
+    return compute();
+  } catch (const std::exception& problem) {
+    return thrown(problem);
+  }
+}
 
 class Background : public QObject {
   Q_OBJECT
@@ -15,7 +32,7 @@ class Background : public QObject {
   /// Runs on the window's thread when the work is done.
   using Finish = std::function<void()>;
   /// Runs on its own thread; must own its data, and end soon once asked to stop. What it throws is logged and told by
-  /// `failed`; it has no result then.
+  /// `failed`; it has no result then (see also `guarded`).
   using Work = std::function<Finish(const std::stop_token&)>;
 
   using QObject::QObject;

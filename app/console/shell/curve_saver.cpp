@@ -59,8 +59,8 @@ void CurveSaver::write(const QString& ending, std::function<QByteArray()> bytes)
   }
   const QString path = pathFor(ending);
   work_.run([this, path, bytes = std::move(bytes)](const std::stop_token&) -> Background::Finish {
-    const QString problem = writeFile(path, bytes());
-    return [this, path, problem] {
+    const auto written = guarded([&]() -> Result<QString> { return writeFile(path, bytes()); });
+    return [this, path, problem = written ? *written : widgets::coreText(written.error().message)] {
       if (problem.isEmpty()) {
         tell_(Severity::information, tr("%1 is written.").arg(path));
       } else {

@@ -26,7 +26,8 @@ bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
     const auto& key = *static_cast<QKeyEvent*>(event);
     // The filter sees the event for the window and for the focused widget; requesting a stop twice is harmless.
     if (key.key() == Qt::Key_Escape) emit stopPressed();
-    // The key that armed is still down, and the focus has come to STOP. A button that is held tells repeats itself.
+    // The key that armed is still down, and the focus has come to STOP. A button that is held for a while is let go by the
+    // release of such a pair and held anew by its press: that errs to the safe side.
     if (isRepeat(key) && qobject_cast<widgets::HoldButton*>(QApplication::focusWidget()) == nullptr) return true;
   } else if (event->type() == QEvent::KeyRelease) {
     const auto& key = *static_cast<QKeyEvent*>(event);

@@ -65,11 +65,12 @@ void GainStudy::offerSources() {
 
 /// What was found in the former session is not proposed for another: its touchpad or its calibration is another one.
 void GainStudy::beginAnew() {
+  const bool was_tuning = study_.tuning();
   study_.cancel();
   study_.forget();
   context_.tuning.judge().forget();
   offerSources();
-  discardProposal({});
+  discardProposal(was_tuning ? tr("Cancelled; nothing was changed.") : widgets::TuningProposal::purpose());
 }
 
 void GainStudy::connectProposal() {

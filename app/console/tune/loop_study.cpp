@@ -56,6 +56,7 @@ LoopStudy::LoopStudy(QObject* parent) : QObject(parent), responding_(this), tuni
   connect(&soon_, &QTimer::timeout, this, &LoopStudy::respond);
   connect(&responding_, &Background::runningChanged, this, &LoopStudy::respondingChanged);
   connect(&tuning_, &Background::runningChanged, this, &LoopStudy::tuningChanged);
+  connect(&tuning_, &Background::failed, this, &LoopStudy::failed);
 }
 
 void LoopStudy::listen(std::span<const pipeline::TelemetrySample> samples) {

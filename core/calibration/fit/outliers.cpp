@@ -92,7 +92,7 @@ class RandomRows {
 /// The `count` points with the least sum of squares that a seeded search finds (FAST-LTS [Rousseeuw 2006]).
 Rows trimmedStart(const Eigen::MatrixXd& design, const Eigen::VectorXd& y, Eigen::Index count) {
   std::mt19937_64 random(20140601);
-  std::mt19937_64 more(20140602);  // apart, so that a start does not depend on how many rows the others needed
+  std::mt19937_64 more(20140602);  // apart: the rows a start begins with do not depend on how many the others needed
   const Eigen::Index points = design.rows();
   Rows best;
   double best_sum = std::numeric_limits<double>::infinity();

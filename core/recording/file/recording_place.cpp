@@ -21,6 +21,8 @@ namespace {
 // Offset of the lock, beyond any file's end. Open-file-description locks do not conflict with HDF5's whole-file locks.
 constexpr off_t kLockAt = off_t{1} << 62U;
 
+constexpr const char* kNotesEnding = ".notes.json";
+
 struct NetworkKind {
   std::uint64_t magic;
   const char* name;
@@ -55,6 +57,19 @@ struct flock lockRange(short type) {
 
 std::string partialOf(const std::string& path) { return path + kPartialEnding; }
 
+std::string wholeOf(std::string path) {
+  if (path.ends_with(kPartialEnding)) path.resize(path.size() - std::string_view(kPartialEnding).size());
+  return path;
+}
+
+std::string reviewNotesPath(const std::string& recording_path) {
+  const std::string whole = wholeOf(recording_path);
+  const std::string path = whole + kNotesEnding, former = partialOf(whole) + kNotesEnding;
+  std::error_code problem;
+  const bool only_former = !std::filesystem::exists(path, problem) && std::filesystem::exists(former, problem);
+  return only_former ? former : path;
+}
+
 Result<void> checkPlace(const std::string& path) {
   const std::string folder = folderOf(path);
   struct stat status {};
@@ -68,6 +83,10 @@ Result<void> checkPlace(const std::string& path) {
                   folder, kind.name);
   for (const std::string& name : {path, partialOf(path)})
     if (::lstat(name.c_str(), &status) == 0) return fail("{}: exists; a recording never replaces a file", name);
+  // They would become this recording's, and their tags would stand in place of its own.
+  if (const std::string notes = reviewNotesPath(path); ::lstat(notes.c_str(), &status) == 0) {
+    return fail("{}: notes of another recording of this name; move them away, or choose another name", notes);
+  }
   return {};
 }
 

@@ -8,8 +8,15 @@
 namespace fyd::recording {
 
 [[nodiscard]] std::string partialOf(const std::string& path);
+/// FILE, also for FILE.partial: the recording gets that name when it is recovered.
+[[nodiscard]] std::string wholeOf(std::string path);
+/// Where the notes of a recording stand, or would stand: beside it, in FILE.notes.json; those of FILE.partial too, so that
+/// they stay with it when it is recovered. Earlier versions wrote FILE.partial.notes.json: that is it where only that is
+/// there.
+[[nodiscard]] std::string reviewNotesPath(const std::string& recording_path);
 
-/// @return an error when a recording cannot begin there: no folder, not writable, a network share, a name taken
+/// @return an error when a recording cannot begin there: no folder, not writable, a network share, a name taken, or notes of another recording that
+///         had this name
 [[nodiscard]] Result<void> checkPlace(const std::string& path);
 /// Syncs the file's folder, so that renamed and new names in it survive a power cut.
 [[nodiscard]] Result<void> syncFolder(const std::string& path);

@@ -10,21 +10,13 @@
 #include "core/base/system_reason.h"
 #include "core/base/whole_file.h"
 #include "core/recording/file/export_file.h"
-#include "core/recording/format/recording_format.h"
+#include "core/recording/file/recording_place.h"
 
 namespace fyd::recording {
 namespace {
 
 constexpr std::array<std::pair<NoteKind, const char*>, 2> kKinds = {
     {{NoteKind::note, "note"}, {NoteKind::bookmark, "bookmark"}}};
-
-constexpr const char* kEnding = ".notes.json";
-
-/// FILE, also for FILE.partial: the recording gets that name when it is recovered.
-std::string wholeName(std::string path) {
-  if (path.ends_with(kPartialEnding)) path.resize(path.size() - std::string_view(kPartialEnding).size());
-  return path;
-}
 
 Result<ReviewNote> noteOf(const nlohmann::json& entry) {
   ReviewNote note;
@@ -40,14 +32,6 @@ Result<ReviewNote> noteOf(const nlohmann::json& entry) {
 }
 
 }  // namespace
-
-std::string reviewNotesPath(const std::string& recording_path) {
-  const std::string whole = wholeName(recording_path);
-  const std::string path = whole + kEnding, former = whole + kPartialEnding + kEnding;
-  std::error_code problem;
-  const bool only_former = !std::filesystem::exists(path, problem) && std::filesystem::exists(former, problem);
-  return only_former ? former : path;
-}
 
 Result<ReviewNotes> readReviewNotes(const std::string& recording_path) {
   const std::string path = reviewNotesPath(recording_path);
@@ -74,7 +58,7 @@ Result<ReviewNotes> readReviewNotes(const std::string& recording_path) {
 
 Result<void> writeReviewNotes(const std::string& recording_path, ReviewNotes review) {
   std::ranges::stable_sort(review.notes, {}, &ReviewNote::time_s);
-  const std::string recording = wholeName(recording_path);
+  const std::string recording = wholeOf(recording_path);
   nlohmann::ordered_json out{{"recording", recording.substr(recording.find_last_of('/') + 1)},
                              {"notes", nlohmann::ordered_json::array()}};
   if (review.tags) out["tags"] = *review.tags;

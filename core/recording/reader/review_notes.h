@@ -1,5 +1,5 @@
 // Notes, bookmarks and tags written while a recording is reviewed. The recording itself is never changed: they stand
-// beside it, in FILE.notes.json; those of FILE.partial too, so that they stay with it when it is recovered.
+// beside it (reviewNotesPath, recording_place.h).
 #pragma once
 
 #include <optional>
@@ -22,10 +22,6 @@ struct ReviewNotes {
   std::vector<ReviewNote> notes;                 ///< in order of time
   std::optional<std::vector<std::string>> tags;  ///< in place of the recording's own; none: these hold
 };
-
-/// Where its notes stand, or would stand. Earlier versions wrote FILE.partial.notes.json: that is it where only that is
-/// there.
-[[nodiscard]] std::string reviewNotesPath(const std::string& recording_path);
 
 /// None when there is no such file.
 /// @return an error that names file and entry when it is damaged

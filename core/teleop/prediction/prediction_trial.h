@@ -30,7 +30,7 @@ struct FYD_API Trace {
   [[nodiscard]] double rate_Hz() const;
 };
 
-/// A day: what is computed of a trace grows with its time, so that times in another unit must not pass for seconds.
+/// A day: what is computed of a trace grows with its time.
 inline constexpr double kLongestTrace_s = 86'400.0;
 
 /// @return an error naming the row when the times do not rise or are not finite, or a position is infinite; or when

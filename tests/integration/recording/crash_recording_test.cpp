@@ -417,6 +417,12 @@ TEST(CrashRecording, PlacesThatCannotHoldARecording) {
   EXPECT_NE(refused(folder.file("b.h5")).find("b.h5.partial: exists"), std::string::npos);
   std::filesystem::create_symlink("nowhere", folder.file("c.h5"));
   EXPECT_NE(refused(folder.file("c.h5")).find("exists"), std::string::npos);
+  for (const char* notes : {"d.h5.notes.json", "e.h5.partial.notes.json"}) {
+    std::ofstream(folder.file(notes)) << "{}";
+    const std::string own = folder.file(std::string(notes).substr(0, 4));
+    EXPECT_NE(refused(own).find("notes of another recording"), std::string::npos) << notes;
+    EXPECT_FALSE(std::filesystem::exists(own + ".partial"));
+  }
 }
 
 TEST(CrashRecording, ANameTakenMeanwhileIsNotReplaced) {
