@@ -69,7 +69,9 @@ TEST(PictureDecode, ASmallFrameThatOnlyALengthLeadsToDoesNotHideTheOneThatIsDeco
 
 TEST(PictureDecode, MoreScansThanABaselinePictureHasAreRefused) {
   const Bytes whole = encoded(".jpg", cv::Mat(64, 64, CV_8UC3, cv::Scalar(1, 2, 3)));
-  const auto scan = std::ranges::search(whole, Bytes{0xFF, 0xDA}).begin();
+  const Bytes marker{0xFF, 0xDA};
+  const auto scan =
+      std::search(whole.begin(), whole.end(), marker.begin(), marker.end());  // clang 14 has not that of ranges
   ASSERT_NE(scan, whole.end());
   const auto ofScans = [&](std::size_t scans) {
     Bytes out(whole.begin(), scan);
