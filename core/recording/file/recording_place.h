@@ -15,8 +15,8 @@ namespace fyd::recording {
 /// there.
 [[nodiscard]] std::string reviewNotesPath(const std::string& recording_path);
 
-/// @return an error when a recording cannot begin there: no folder, not writable, a network share, a name taken, or notes of another recording that
-///         had this name
+/// @return an error when a recording cannot begin there: no folder, not writable, a network share, a name taken, or notes
+///         of another recording that had this name
 [[nodiscard]] Result<void> checkPlace(const std::string& path);
 /// Syncs the file's folder, so that renamed and new names in it survive a power cut.
 [[nodiscard]] Result<void> syncFolder(const std::string& path);

@@ -103,12 +103,10 @@ TEST_F(PicturesOfARobot, APictureGoesOutOnceWhoeverElseSpeaksBefore) {
   EXPECT_EQ(pictureAfterAState(), std::vector<std::uint8_t>{});
 }
 
-// What the texture waits for stays raised, so only what lasts may raise it.
-TEST(NeededDelay, OneLateMomentOfTheNetworkRaisesNothingAndAWorseNetworkDoes) {
-  protocol::LinkPair pair;
-  NeededDelay needed;
-  double most_ms = 0.0, most_told_ms = 0.0, told_ms = 0.0;
-  const auto run = [&](double seconds) {
+/// Both ends of a link, asked twenty times a second how long the texture is to wait.
+struct WatchedDelay {
+  explicit WatchedDelay(const protocol::LinkParameters& parameters = {}) : pair(parameters) {}
+  void run(double seconds) {
     for (int i = 0; i < static_cast<int>(std::lround(20.0 * seconds)); ++i) {
       pair.run(0.05);
       const protocol::LinkFigures figures = pair.touchpad.figures(pair.now);
@@ -116,62 +114,61 @@ TEST(NeededDelay, OneLateMomentOfTheNetworkRaisesNothingAndAWorseNetworkDoes) {
       most_ms = std::max(most_ms, figures.sample_delay_ms);
       most_told_ms = std::max(most_told_ms, told_ms);
     }
-  };
-  ASSERT_TRUE(pair.connect());
-  run(0.9);
-  EXPECT_EQ(told_ms, 0.0);
-  run(3.0);
-  const double usual_ms = told_ms;
+  }
+  protocol::LinkPair pair;
+  NeededDelay needed;
+  double told_ms = 0.0;
+  double most_told_ms = 0.0;
+  double most_ms = 0.0;  ///< that the figures asked for
+};
+
+// What the texture waits for stays raised, so only what lasts may raise it.
+TEST(NeededDelay, OneLateMomentOfTheNetworkRaisesNothingAndAWorseNetworkDoes) {
+  WatchedDelay watched;
+  ASSERT_TRUE(watched.pair.connect());
+  watched.run(0.9);
+  EXPECT_EQ(watched.told_ms, 0.0);
+  watched.run(3.0);
+  const double usual_ms = watched.told_ms;
   EXPECT_GE(usual_ms, 10.0);  // the batches'
   EXPECT_LE(usual_ms, 15.0);
-  EXPECT_LT(most_ms, 100.0);
-  pair.weather.delay_ms = 400.0;  // for one heartbeat and one state
-  pair.run(0.01);
-  pair.weather.delay_ms = 1.0;
-  run(5.0);
-  EXPECT_GT(most_ms, 100.0);
-  EXPECT_EQ(most_told_ms, usual_ms);
-  pair.weather.delay_ms = 400.0;  // for the last heartbeat before an outage
-  pair.run(0.01);
-  pair.cut = true;
-  run(3.0);
-  EXPECT_GT(pair.touchpad.figures(pair.now).sample_delay_ms, 100.0) << "the last that is known";
-  EXPECT_NE(pair.touchpad.phase(), LinkPhase::running);
-  pair.weather.delay_ms = 1.0;
-  pair.cut = false;
-  ASSERT_TRUE(pair.connect());
-  run(5.0);
-  EXPECT_EQ(most_told_ms, usual_ms);
-  pair.weather.delay_ms = 40.0;
-  run(3.0);
-  EXPECT_GE(told_ms, usual_ms + 35.0);
+  EXPECT_LT(watched.most_ms, 100.0);
+  watched.pair.weather.delay_ms = 400.0;  // for one heartbeat and one state
+  watched.pair.run(0.01);
+  watched.pair.weather.delay_ms = 1.0;
+  watched.run(5.0);
+  EXPECT_GT(watched.most_ms, 100.0);
+  EXPECT_EQ(watched.most_told_ms, usual_ms);
+  watched.pair.weather.delay_ms = 400.0;  // for the last heartbeat before an outage
+  watched.pair.run(0.01);
+  watched.pair.cut = true;
+  watched.run(3.0);
+  EXPECT_GT(watched.pair.touchpad.figures(watched.pair.now).sample_delay_ms, 100.0) << "the last that is known";
+  EXPECT_NE(watched.pair.touchpad.phase(), LinkPhase::running);
+  watched.pair.weather.delay_ms = 1.0;
+  watched.pair.cut = false;
+  ASSERT_TRUE(watched.pair.connect());
+  watched.run(5.0);
+  EXPECT_EQ(watched.most_told_ms, usual_ms);
+  watched.pair.weather.delay_ms = 40.0;
+  watched.run(3.0);
+  EXPECT_GE(watched.told_ms, usual_ms + 35.0);
 }
 
 // The jitter forgets a late moment with the messages, not with the time.
 TEST(NeededDelay, OneLateMomentOfASlowLinkRaisesNothingEither) {
   for (const double rate_Hz : {50.0, 30.0, 20.0}) {
-    protocol::LinkPair pair({.lost_cap_ms = 200.0, .state_rate_Hz = rate_Hz, .touch_rate_Hz = rate_Hz});
-    NeededDelay needed;
-    double told_ms = 0.0, most_told_ms = 0.0, most_ms = 0.0;
-    const auto run = [&](double seconds) {
-      for (int i = 0; i < static_cast<int>(std::lround(20.0 * seconds)); ++i) {
-        pair.run(0.05);
-        const protocol::LinkFigures figures = pair.touchpad.figures(pair.now);
-        told_ms = needed.add(figures);
-        most_ms = std::max(most_ms, figures.sample_delay_ms);
-        most_told_ms = std::max(most_told_ms, told_ms);
-      }
-    };
-    ASSERT_TRUE(pair.connect()) << rate_Hz;
-    run(8.0);
-    const double usual_ms = told_ms;
+    WatchedDelay watched({.lost_cap_ms = 200.0, .state_rate_Hz = rate_Hz, .touch_rate_Hz = rate_Hz});
+    ASSERT_TRUE(watched.pair.connect()) << rate_Hz;
+    watched.run(8.0);
+    const double usual_ms = watched.told_ms;
     EXPECT_GE(usual_ms, 1e3 / rate_Hz);
-    pair.weather.delay_ms = 300.0;
-    pair.run(1.0 / rate_Hz);
-    pair.weather.delay_ms = 1.0;
-    run(15.0);
-    EXPECT_GT(most_ms, usual_ms + 40.0) << rate_Hz;
-    EXPECT_EQ(most_told_ms, usual_ms) << rate_Hz;
+    watched.pair.weather.delay_ms = 300.0;
+    watched.pair.run(1.0 / rate_Hz);
+    watched.pair.weather.delay_ms = 1.0;
+    watched.run(15.0);
+    EXPECT_GT(watched.most_ms, usual_ms + 40.0) << rate_Hz;
+    EXPECT_EQ(watched.most_told_ms, usual_ms) << rate_Hz;
   }
 }
 
