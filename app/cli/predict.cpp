@@ -65,6 +65,9 @@ void runPredict(const PredictOptions& options) {
     setup.weights = std::move(*weights);
   }
   const NamedTrace named = readTrace(options.trace, options.columns);
+  if (auto good = checkMessages(named.trace, options.network); !good) {
+    throw Failure(about(options.trace, std::move(good.error().message)));
+  }
   setup.axes = named.trace.axes;
   setup.period_s = options.network.period_ms * 1e-3;
   const TrialPlan plan = planTrial(named.trace, options.network);

@@ -59,6 +59,7 @@ py::dict trial(const Numbers& time_s, const Numbers& position_mm, const std::str
   const teleop::TrialNetwork network{period_ms, delay_ms, jitter_ms, loss_percent, seed};
   valid(teleop::checkTrace(trace));
   valid(teleop::checkNetwork(network));
+  valid(teleop::checkMessages(trace, network));
   const auto predictor = made(name, trace.axes, 1e-3 * period_ms);
   teleop::TrialPlan plan;
   std::vector<Position> predicted;
@@ -142,7 +143,8 @@ void addPrediction(py::module_& module) {
       "Returns `row` of the motion at each tick, the predicted `position_mm` [mm] there, and the figures `rms_mm`, "
       "`mean_mm`, `max_mm`, `largest_step_mm` [mm], `vibration_ratio` and `jerk_ratio` [1], of the predicted motion's "
       "over the true one's. A ratio is NaN where the true motion has none of it, that of vibration below 1000 rows a "
-      "second as well. smooth_s [s]: time constant of the output's smoothing. Other threads go on meanwhile.");
+      "second as well; where no message arrives `row` is empty and every figure NaN. smooth_s [s]: time constant of "
+      "the output's smoothing. Other threads go on meanwhile.");
 }
 
 }  // namespace fyd::python

@@ -434,6 +434,10 @@
         <translation>--page {} : attendu l'une de {}</translation>
     </message>
     <message>
+        <source>--review {}: no such file, or it may not be read</source>
+        <translation>--review {} : ce fichier n'existe pas, ou ne peut pas être lu</translation>
+    </message>
+    <message>
         <source>--scale {}: expected a number from 0.5 to 4</source>
         <translation>--scale {} : attendu un nombre de 0,5 à 4</translation>
     </message>
@@ -7534,6 +7538,10 @@ Pour commencer : %1</translation>
         <translation>période {} ms : attendu plus de 0</translation>
     </message>
     <message>
+        <source>period {} ms: {:.0f} messages in {} s; expected at most {}: take a longer period or less of the trace</source>
+        <translation>période {} ms : {:.0f} messages en {} s ; attendu : {} au plus ; prendre une période plus longue ou moins de la trace</translation>
+    </message>
+    <message>
         <source>picture and target are mirror images; if the camera shows no mirrored picture, the signs of y_mm are wrong: it grows to the back, upward in the picture</source>
         <translation>image et cible sont en miroir ; si la caméra ne montre pas une image inversée, les signes de y_mm sont faux : il croît vers l'arrière, vers le haut dans l'image</translation>
     </message>
@@ -9170,10 +9178,6 @@ Pour commencer : %1</translation>
         <translation>{} valait {} quand l'état fut enregistré, ici il vaut {} ; attendu le même</translation>
     </message>
     <message>
-        <source>{} {}: no such file, or it may not be read</source>
-        <translation>{} {} : ce fichier n'existe pas, ou ne peut pas être lu</translation>
-    </message>
-    <message>
         <source>{} × {} pixels, expected at most {}</source>
         <translation>{} × {} pixels, attendu au plus {}</translation>
     </message>
@@ -10144,6 +10148,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}:{}: delay {} ms: expected 0 to 60000, or nan for a loss</source>
         <translation>{}:{} : retard {} ms : attendu de 0 à 60000, ou nan pour une perte</translation>
+    </message>
+    <message>
+        <source>{}:{}: more than {} columns; expected a table of measurements</source>
+        <translation>{}:{} : plus de {} colonnes ; attendu : un tableau de mesures</translation>
     </message>
     <message>
         <source>{}:{}: no column '{}'; expected {}</source>

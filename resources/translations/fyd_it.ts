@@ -434,6 +434,10 @@
         <translation>--page {}: attesa una di {}</translation>
     </message>
     <message>
+        <source>--review {}: no such file, or it may not be read</source>
+        <translation>--review {}: il file non esiste, o non può essere letto</translation>
+    </message>
+    <message>
         <source>--scale {}: expected a number from 0.5 to 4</source>
         <translation>--scale {}: atteso un numero da 0,5 a 4</translation>
     </message>
@@ -7534,6 +7538,10 @@ Per cominciare: %1</translation>
         <translation>periodo {} ms: atteso più di 0</translation>
     </message>
     <message>
+        <source>period {} ms: {:.0f} messages in {} s; expected at most {}: take a longer period or less of the trace</source>
+        <translation>periodo {} ms: {:.0f} messaggi in {} s; attesi al massimo {}: prendere un periodo più lungo o meno della traccia</translation>
+    </message>
+    <message>
         <source>picture and target are mirror images; if the camera shows no mirrored picture, the signs of y_mm are wrong: it grows to the back, upward in the picture</source>
         <translation>immagine e bersaglio sono speculari; se la telecamera non mostra un'immagine specchiata, i segni di y_mm sono sbagliati: cresce verso il fondo, verso l'alto nell'immagine</translation>
     </message>
@@ -9170,10 +9178,6 @@ Per cominciare: %1</translation>
         <translation>{} era {} quando lo stato fu salvato, qui è {}; atteso lo stesso</translation>
     </message>
     <message>
-        <source>{} {}: no such file, or it may not be read</source>
-        <translation>{} {}: il file non esiste, o non può essere letto</translation>
-    </message>
-    <message>
         <source>{} × {} pixels, expected at most {}</source>
         <translation>{} × {} pixel, attesi al più {}</translation>
     </message>
@@ -10144,6 +10148,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}:{}: delay {} ms: expected 0 to 60000, or nan for a loss</source>
         <translation>{}:{}: ritardo {} ms: atteso da 0 a 60000, o nan per una perdita</translation>
+    </message>
+    <message>
+        <source>{}:{}: more than {} columns; expected a table of measurements</source>
+        <translation>{}:{}: più di {} colonne; attesa una tabella di misure</translation>
     </message>
     <message>
         <source>{}:{}: no column '{}'; expected {}</source>

@@ -79,6 +79,15 @@ class Teleop(fyd.Case):
         self.assertGreater(recorded["added_delay_ms"], 10)  # half of about 29 ms, and more
         self.assertLess(recorded["added_delay_ms"], 60)
 
+    def test_two_devices_that_were_never_linked_have_no_errors_instead_of_none(self):
+        for options in (("--loss", 100), ("--delay", 60_000)):
+            with self.subTest(options):
+                got = self.run_of(*options)
+                self.assertEqual(got["linked_percent"], 0)
+                for key in ("rms_error_mm", "max_error_mm", "believed_rms_mm", "believed_max_mm", "added_delay_ms", "jerk_ratio",
+                            "vibration_ratio", "largest_step_mm", "orientation_rms_deg"):
+                    self.assertIsNone(got[key], key)
+
     def test_wrong_usage_is_named(self):
         run = ("teleop", "run", "--trace", TRACE)
         self.assertIn("order2", self.refused(2, *run, "--predictor", "order2"))

@@ -57,6 +57,15 @@ def test_a_ratio_to_nothing_is_nan():
     assert np.isnan(slow["vibration_ratio"]) and np.isfinite(slow["jerk_ratio"])  # 100 rows a second
 
 
+@pytest.mark.parametrize("network", [{"loss_percent": 100}, {"delay_ms": 5000}])
+def test_where_no_message_arrives_no_predictor_is_without_an_error(network):
+    time_s = np.arange(2000) * 0.001
+    trial = fyd.predict_trial(time_s, np.sin(5 * time_s)[:, None] * 30, **network)
+    assert len(trial["row"]) == 0 and trial["position_mm"].shape == (0, 1)
+    figures = [value for name, value in trial.items() if name not in ("row", "position_mm")]
+    assert len(figures) == 6 and np.isnan(figures).all()
+
+
 def test_the_same_seed_gives_the_same_network():
     time_s = np.arange(2000) * 0.001
     path = np.sin(5 * time_s)[:, None] * 30
@@ -88,6 +97,8 @@ def test_what_is_not_possible_is_named():
         fyd.predict_trial(time_s, path, smooth_s=-1)
     with pytest.raises(fyd.InvalidValue, match="^99000000 s .*86400.*seconds"):
         fyd.predict_trial(1e6 * np.arange(100), path)  # microseconds
+    with pytest.raises(fyd.InvalidValue, match="0.1 ms: 864000001 messages in 86400 s"):
+        fyd.predict_trial([0, 86400], [[0], [1]], period_ms=0.1)
     with pytest.raises(fyd.InvalidValue, match="86400"):
         fyd.predict_trial([-1e300, 1e300], path[:2])
     with pytest.raises(fyd.InvalidValue):

@@ -1764,8 +1764,9 @@ def predict_trial(time_s: ArrayLike, position_mm: ArrayLike, name: str = 'defaul
     every period_ms [ms], delay_ms [ms], up to jitter_ms [ms] more, loss_percent [%]) and predicts it. Returns `row`
     of the motion at each tick, the predicted `position_mm` [mm] there, and the figures `rms_mm`, `mean_mm`, `max_mm`,
     `largest_step_mm` [mm], `vibration_ratio` and `jerk_ratio` [1], of the predicted motion's over the true one's. A
-    ratio is NaN where the true motion has none of it, that of vibration below 1000 rows a second as well. smooth_s
-    [s]: time constant of the output's smoothing. Other threads go on meanwhile.
+    ratio is NaN where the true motion has none of it, that of vibration below 1000 rows a second as well; where no
+    message arrives `row` is empty and every figure NaN. smooth_s [s]: time constant of the output's smoothing. Other
+    threads go on meanwhile.
     """
 
 def replay(recording: RecordingFile, settings: dict[str, Any] = {}, closed_loop: bool = False, keep_telemetry: bool = True) -> ReplayResult:

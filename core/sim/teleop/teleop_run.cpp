@@ -110,18 +110,21 @@ class Told {
   Told(const TeleopEnd& end, std::size_t channel, double later_s)
       : end_(end), channel_(channel), later_(static_cast<std::size_t>(std::llround(later_s / kStep_s))) {}
 
-  /// At each step, since which both are linked. @return the step that is asked about and the answer, if it is known
-  std::optional<std::pair<std::size_t, teleop::DeadbandReceiver::Answer>> step(std::size_t now, double truth) {
-    truth_.push_back(truth);
+  /// Each step; only those at which both are linked are asked about: an end that is not linked sends a message each
+  /// period, whatever leaves the band meanwhile.
+  /// @return the step that is asked about and the answer, if it is known
+  std::optional<std::pair<std::size_t, teleop::DeadbandReceiver::Answer>> step(double truth, bool linked) {
+    truth_.push_back(linked ? truth : std::nan(""));
     if (truth_.size() <= later_) return std::nullopt;
     const std::size_t asked = truth_.size() - 1 - later_;
-    const auto answer = end_.told(kStep_s * static_cast<double>(now - later_) + kDateStep_s);
+    if (std::isnan(truth_[asked])) return std::nullopt;
+    const auto answer = end_.told(kStep_s * static_cast<double>(asked) + kDateStep_s);
     asked_ += 1.0;
     if (!answer.known) return std::nullopt;
     known_ += 1.0;
     const double band = end_.channels()[channel_].band(answer.value[channel_], answer.slope[channel_]);
     worst_ = std::max(worst_, std::abs(truth_[asked] - answer.value[channel_]) / band);
-    return std::pair{now - later_, answer};
+    return std::pair{asked, answer};
   }
   [[nodiscard]] double share() const { return asked_ > 0.0 ? known_ / asked_ : std::nan(""); }
   [[nodiscard]] double worst() const { return known_ > 0.0 ? worst_ : std::nan(""); }
@@ -130,7 +133,7 @@ class Told {
   const TeleopEnd& end_;
   std::size_t channel_;
   std::size_t later_;
-  std::vector<double> truth_;
+  std::vector<double> truth_;  ///< NaN: not both linked
   double asked_ = 0.0, known_ = 0.0, worst_ = 0.0;
 };
 
@@ -198,7 +201,7 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
   Told told_place(far_end, 0, kQueryDelay_s + there_s), told_force(hand_end, 3, kQueryDelay_s + back_s);
   std::vector<TeleopRow> rows;
   double packets = 0.0, back_packets = 0.0, drag = 0.0, drag_ticks = 0.0, turned = 0.0, held = 0.0, energy_J = 0.0;
-  double turned_ticks = 0.0;
+  double turned_ticks = 0.0, linked_ticks = 0.0, least_J = 0.0;
   std::size_t first_linked = recorded.at_mm.size();
   Vec3 wall{};
   protocol::Orientation last_heard;
@@ -229,7 +232,7 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
     const bool linked = far_end.phase() == TeleopEnd::Phase::linked;
     if (linked) {
       first_linked = std::min(first_linked, i);
-      out.linked_share += 1.0;
+      linked_ticks += 1.0;
     }
     if (linked && heard) {
       const auto truth = teleop::fromAngles(turn.alpha_rad, turn.beta_rad, turn.gamma_rad);
@@ -244,12 +247,13 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
                     .wanted_mm = far_end.other_mm(),
                     .hand_force_N = -felt.x,
                     .far_force_N = wall.x});
-    if (settings.deadband_percent > 0.0 && linked && hand_end.phase() == TeleopEnd::Phase::linked) {
-      if (const auto known = told_place.step(i, hand.measured_mm().x)) {
+    if (settings.deadband_percent > 0.0) {
+      const bool both = linked && hand_end.phase() == TeleopEnd::Phase::linked;
+      if (const auto known = told_place.step(hand.measured_mm().x, both)) {
         rows[known->first].told_x_mm = known->second.value[0];
         rows[known->first].told_x_mm_per_s = known->second.slope[0];
       }
-      if (const auto known = told_force.step(i, wall.x)) rows[known->first].told_force_N = known->second.value[3];
+      if (const auto known = told_force.step(wall.x, both)) rows[known->first].told_force_N = known->second.value[3];
     }
     if (wall.x == 0.0) {
       drag += felt.norm();
@@ -277,11 +281,12 @@ TeleopFigures runTeleop(const Trace& trace, const TeleopRunSettings& settings, s
     }
     const Vec3 moved = hand.position_mm() - before;
     energy_J -= 1e-3 * (felt.x * moved.x + felt.y * moved.y + felt.z * moved.z);
-    out.least_energy_J = std::min(out.least_energy_J, energy_J);
+    least_J = std::min(least_J, energy_J);
   }
   const auto ticks = static_cast<double>(rows.size());
   out.seconds = kStep_s * ticks;
-  out.linked_share /= ticks;
+  out.linked_share = linked_ticks / ticks;
+  out.least_energy_J = least_J;
   out.energy_J = energy_J;
   out.dissipated_J = hand_end.telemetry().dissipated_J + far_end.telemetry().dissipated_J;
   out.packets_per_s = packets / out.seconds;

@@ -43,25 +43,27 @@ struct TeleopRow {
 /// Plus the delay of the path.
 inline constexpr double kQueryDelay_s = 0.15;
 
-/// Figures that cannot be computed (nothing moved, no wall) are NaN.
+/// Figures that cannot be computed (never linked, nothing moved, no wall, no row that is no gap) are NaN.
 struct TeleopFigures {
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   double seconds = 0.0;
-  double scale = 1.0;                                   ///< of the recording, to fit the workspace
-  double linked_share = 0.0;                            ///< of the ticks, at the far end
-  double rms_error_mm = 0.0, max_error_mm = 0.0;        ///< far device − hand, now
-  double believed_rms_mm = 0.0, believed_max_mm = 0.0;  ///< the hand as predicted at the far end − hand
-  double added_delay_ms = 0.0;                          ///< shift at which the far device's motion fits the hand's best
-  double jerk_ratio = 0.0, vibration_ratio = 0.0, largest_step_mm = 0.0;  ///< of the far device, as of `fyd predict`
-  double orientation_rms_deg = 0.0, orientation_held_rms_deg = 0.0;       ///< predicted, and held
-  double least_energy_J = 0.0, energy_J = 0.0,
-         dissipated_J = 0.0;                             ///< put in by the hand: least, at the end; by couplings
-  double drag_N = 0.0;                                   ///< mean of the hand's felt force while nothing is touched
-  double packets_per_s = 0.0, back_packets_per_s = 0.0;  ///< from the hand, and to it (force)
-  double packets_without_per_s = 0.0;                    ///< a message each period, either way
-  double message_bits = 0.0;                             ///< longest, with IPv4 and UDP headers
-  /// With a deadband, of the moments since both ends have been linked; along the first axis.
-  double told_share = 0.0, told_force_share = 0.0;          ///< known kQueryDelay_s later
-  double deadband_worst = 0.0, deadband_force_worst = 0.0;  ///< error / band, where known
+  double scale = 1.0;                                             ///< of the recording, to fit the workspace
+  double linked_share = kUnknown;                                 ///< of the ticks, at the far end
+  double rms_error_mm = kUnknown;                                 ///< far device − hand, now, since the first link
+  double max_error_mm = kUnknown;                                 ///< likewise
+  double believed_rms_mm = kUnknown, believed_max_mm = kUnknown;  ///< the hand as predicted at the far end − hand
+  double added_delay_ms = kUnknown;  ///< shift at which the far device's motion fits the hand's best
+  double jerk_ratio = kUnknown, vibration_ratio = kUnknown, largest_step_mm = kUnknown;  ///< as of `fyd predict`
+  double orientation_rms_deg = kUnknown, orientation_held_rms_deg = kUnknown;            ///< predicted, and held
+  double least_energy_J = kUnknown, energy_J = kUnknown,
+         dissipated_J = kUnknown;  ///< put in by the hand: least, at the end; by couplings
+  double drag_N = kUnknown;        ///< mean of the hand's felt force while nothing is touched
+  double packets_per_s = kUnknown, back_packets_per_s = kUnknown;  ///< from the hand, and to it (force)
+  double packets_without_per_s = kUnknown;                         ///< a message each period, either way
+  double message_bits = 0.0;                                       ///< longest, with IPv4 and UDP headers
+  /// With a deadband, of the moments at which both ends were linked; along the first axis.
+  double told_share = kUnknown, told_force_share = kUnknown;          ///< known kQueryDelay_s later
+  double deadband_worst = kUnknown, deadband_force_worst = kUnknown;  ///< error / band, where known
 };
 
 /// @param trace of kLongestRun_s at most

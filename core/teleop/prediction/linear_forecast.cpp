@@ -31,9 +31,9 @@ void LinearForecast::begin(const ForecastSettings& settings, double step_s) {
 }
 
 void LinearForecast::beginCovariance() {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostOrder, kMostOrder>;
+  using OrderMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostOrder, kMostOrder>;
   const auto n = static_cast<Eigen::Index>(settings_.order);
-  Matrix information(n, n);
+  OrderMatrix information(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index k = 0; k < n; ++k) {
       const double apart = static_cast<double>(i - k) * step_s_ / settings_.prior_correlation_s;
@@ -42,7 +42,7 @@ void LinearForecast::beginCovariance() {
     information(i, i) += settings_.prior_noise + settings_.prior_noise_per_lag * static_cast<double>(i);
   }
   information *= settings_.prior_weight;
-  const Matrix inverse = Eigen::LLT<Matrix>(information).solve(Matrix::Identity(n, n));
+  const OrderMatrix inverse = Eigen::LLT<OrderMatrix>(information).solve(OrderMatrix::Identity(n, n));
   std::copy_n(inverse.data(), n * n, covariance_.begin());
 }
 

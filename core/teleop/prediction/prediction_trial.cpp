@@ -143,6 +143,18 @@ Result<void> checkNetwork(const TrialNetwork& network) {
   return {};
 }
 
+Result<void> checkMessages(const Trace& trace, const TrialNetwork& network) {
+  if (network.period_ms <= 0.0) return {};  // as many as there are rows
+  const double length_s = trace.time_s.back() - trace.time_s.front();
+  const double messages = std::floor((length_s + kSameTime_s) / (network.period_ms * 1e-3)) + 1.0;
+  const std::size_t most = std::max(kMostMessages, trace.time_s.size());
+  if (messages > static_cast<double>(most)) {
+    return fail("period {} ms: {:.0f} messages in {} s; expected at most {}: take a longer period or less of the trace",
+                network.period_ms, messages, length_s, most);
+  }
+  return {};
+}
+
 TrialPlan planTrial(const Trace& trace, const TrialNetwork& network) {
   const std::vector<Sent> sent = sentMessages(trace, network);
   TrialPlan plan;
@@ -191,6 +203,10 @@ std::vector<Position> runTrial(const Trace& trace, const TrialPlan& plan, Predic
 TrialFigures trialFigures(const Trace& trace, const TrialPlan& plan, std::span<const Position> output) {
   TrialFigures out;
   out.ticks = plan.ticks.size();
+  if (plan.ticks.empty()) {  // nothing was predicted, which is not the same as predicted without an error
+    out.rms_mm = out.mean_mm = out.max_mm = out.largest_step_mm = out.vibration_ratio = out.jerk_ratio = std::nan("");
+    return out;
+  }
   const double rate_Hz = trace.rate_Hz();
   double squares = 0.0, vibration = 0.0, true_vibration = 0.0, jerk = 0.0, true_jerk = 0.0;
   std::vector<Position> truth;
@@ -213,11 +229,9 @@ TrialFigures trialFigures(const Trace& trace, const TrialPlan& plan, std::span<c
     true_jerk += jerkPower(truth, trace.axes);
     begin = end;
   }
-  if (out.ticks > 0) {
-    const auto count = static_cast<double>(out.ticks);
-    out.rms_mm = std::sqrt(squares / count);
-    out.mean_mm /= count;
-  }
+  const auto count = static_cast<double>(out.ticks);
+  out.rms_mm = std::sqrt(squares / count);
+  out.mean_mm /= count;
   out.vibration_ratio = rate_Hz >= kLeastVibrationRate_Hz ? ratio(vibration, true_vibration) : std::nan("");
   out.jerk_ratio = ratio(jerk, true_jerk);
   return out;

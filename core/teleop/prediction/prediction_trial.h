@@ -50,6 +50,11 @@ struct TrialNetwork {
 
 /// @return an error naming the value and its range
 [[nodiscard]] FYD_API Result<void> checkNetwork(const TrialNetwork& network);
+/// More than this, and more than the trace has rows, are refused: each message is kept in memory.
+inline constexpr std::size_t kMostMessages = 10'000'000;
+/// @pre checkTrace and checkNetwork find nothing
+/// @return an error when the trace takes more messages of this period than that
+[[nodiscard]] FYD_API Result<void> checkMessages(const Trace& trace, const TrialNetwork& network);
 
 struct TrialMessage {
   std::size_t row = 0;
@@ -67,7 +72,7 @@ struct TrialPlan {
   std::vector<Tick> ticks;
 };
 
-/// @pre checkTrace and checkNetwork find nothing
+/// @pre checkTrace, checkNetwork and checkMessages find nothing
 [[nodiscard]] FYD_API TrialPlan planTrial(const Trace& trace, const TrialNetwork& network);
 
 /// The predictor's output at each tick.
@@ -76,6 +81,7 @@ struct TrialPlan {
 [[nodiscard]] FYD_API std::vector<Position> runTrial(const Trace& trace, const TrialPlan& plan, Predictor& predictor,
                                                      double smooth_s);
 
+/// All NaN where there is no tick: no message arrived.
 struct TrialFigures {
   std::size_t ticks = 0;
   double rms_mm = 0.0;

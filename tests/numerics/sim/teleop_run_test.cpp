@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -135,6 +137,54 @@ TEST(TeleopRun, ADeadbandSendsLessAndWhatIsToldStaysWithinItWhereAFifthIsLost) {
     EXPECT_GE(out.least_energy_J, -1e-3) << percent;
     EXPECT_EQ(out.linked_share, every.linked_share) << percent;  // never lost
   }
+}
+
+TEST(TeleopRun, WhatADeadbandTellsStaysWithinItAlsoWhenOneEndWasLostMeanwhile) {
+  // The hand's end hears nothing for 0.8 s, so that it is lost, while the far one stays linked and keeps what it knows.
+  auto settings = over(30.0, PredictorChoice::experts);
+  settings.deadband_percent = 10.0;
+  for (int i = 0; i <= 8000; ++i) {
+    settings.path.backward.trace.t_s.push_back(0.001 * i);
+    settings.path.backward.trace.delay_ms.push_back(i >= 3000 && i < 3800 ? std::nan("") : 30.0);
+  }
+  const auto trace = swing(25.0, 0.6, 8.0);
+  std::vector<TeleopRow> rows;
+  const TeleopFigures out = runTeleop(trace, settings, &rows);
+  EXPECT_GT(out.linked_share, 0.98) << "the far end, all the time";
+  EXPECT_LE(out.deadband_worst, 1.001);  // a microsecond is the date's step
+  EXPECT_GT(out.deadband_worst, 0.5);
+  EXPECT_LE(out.deadband_force_worst, 1.001);
+  int known = 0, known_later = 0;
+  for (const TeleopRow& row : rows) {
+    if (std::isnan(row.told_x_mm)) continue;
+    ++known;
+    known_later += row.t_s > 4.0 ? 1 : 0;
+    // The band of the paper, and the encoder's half step: the row is the hand, what is told its encoder.
+    EXPECT_NEAR(row.told_x_mm, row.hand_mm[0], std::max(0.1, 0.10 * 0.05 * std::abs(row.told_x_mm_per_s)) + 0.0101)
+        << row.t_s;
+  }
+  EXPECT_GT(known, 6000);
+  EXPECT_GT(known_later, 3000);
+}
+
+TEST(TeleopRun, WhatWasNeverLinkedOrNeverMovedHasNoErrorsInsteadOfNone) {
+  auto lossy = over(20.0, PredictorChoice::experts), late = over(5000.0, PredictorChoice::experts);
+  lossy.path.forward.loss_percent = lossy.path.backward.loss_percent = 100.0;
+  const auto trace = swing(25.0, 0.6, 2.0);
+  auto lifted = trace;
+  for (auto& each : lifted.position_mm) each[0] = std::nan("");
+  const std::vector<std::pair<teleop::Trace, TeleopRunSettings>> cases = {
+      {trace, lossy}, {trace, late}, {lifted, over(20.0, PredictorChoice::experts)}};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const TeleopFigures out = runTeleop(cases[i].first, cases[i].second, nullptr);
+    EXPECT_FALSE(out.linked_share > 0.0) << i;
+    for (const double each :
+         {out.rms_error_mm, out.max_error_mm, out.believed_rms_mm, out.believed_max_mm, out.added_delay_ms,
+          out.jerk_ratio, out.vibration_ratio, out.largest_step_mm, out.orientation_rms_deg, out.told_share}) {
+      EXPECT_TRUE(std::isnan(each)) << i;
+    }
+  }
+  EXPECT_TRUE(std::isnan(runTeleop(lifted, over(20.0, PredictorChoice::experts), nullptr).drag_N));
 }
 
 TEST(TeleopRun, HeldMessagesComeAsLateAsTheyAreAndPredictedOnesDoNot) {

@@ -123,6 +123,34 @@ TEST(PredictionTrial, VibrationIsOfTheBandBetween20And200Hz) {
   EXPECT_TRUE(std::isnan(trialFigures(trace, plan, buzzing).vibration_ratio));
 }
 
+TEST(PredictionTrial, WhereNoMessageArrivesNothingWasPredictedWithoutAnError) {
+  Trace trace{.axes = 1, .time_s = {}, .position_mm = {}};
+  for (int i = 0; i < 2000; ++i) {
+    trace.time_s.push_back(0.001 * i);
+    trace.position_mm.push_back({0.01 * i, 0.0, 0.0});
+  }
+  for (const TrialNetwork& network : {TrialNetwork{.loss_percent = 100.0}, TrialNetwork{.delay_ms = 3000.0}}) {
+    const TrialPlan plan = planTrial(trace, network);
+    const TrialFigures out = trialFigures(trace, plan, {});
+    EXPECT_EQ(out.ticks, 0U);
+    for (const double each :
+         {out.rms_mm, out.mean_mm, out.max_mm, out.vibration_ratio, out.largest_step_mm, out.jerk_ratio}) {
+      EXPECT_TRUE(std::isnan(each));
+    }
+  }
+}
+
+TEST(PredictionTrial, MoreMessagesThanFitIntoMemoryAreRefusedWhateverTheirRows) {
+  const auto two = [](double length_s) { return rows({{100.0, 1.0}, {100.0 + length_s, 2.0}}); };
+  EXPECT_THAT(checkMessages(two(86'400.0), {.period_ms = 0.1}).error().text(),
+              testing::AllOf(HasSubstr("period 0.1 ms: 864000001 messages in 86400 s"), HasSubstr("10000000")));
+  EXPECT_FALSE(checkMessages(two(86'400.0), {.period_ms = 1.0}));
+  EXPECT_TRUE(checkMessages(two(86'400.0), {.period_ms = 10.0}));
+  EXPECT_TRUE(checkMessages(two(86'400.0), {.period_ms = 0.0})) << "two messages";
+  EXPECT_TRUE(checkMessages(two(999.0), {.period_ms = 0.1})) << "9 990 001";
+  EXPECT_FALSE(checkMessages(two(1000.0), {.period_ms = 0.1})) << "10 000 001";
+}
+
 TEST(PredictionTrial, WhatIsNoTraceAndNoNetworkIsRefusedByName) {
   EXPECT_THAT(checkTrace(rows({{0.0, 1.0}})).error().text(), HasSubstr("1 rows"));
   EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {0.0, 2.0}})).error().text(), HasSubstr("row 2"));
