@@ -71,11 +71,15 @@ Result<std::vector<Trial>> orderTrials(const std::vector<std::string>& condition
 
   std::vector<Trial> out;
   std::size_t last = n;
-  for (std::size_t block = 0; block < repetitions; ++block) {
+  for (std::size_t block = 0; out.size() < n * repetitions; ++block) {
     Order row;
     if (order == TrialOrder::latin_square) {
       if (block % square.size() == 0) shuffle(rows, random);
       for (const std::size_t symbol : square[rows[block % square.size()]]) row.push_back(names[symbol]);
+    } else if (n == 2) {
+      const std::size_t each = std::min<std::size_t>(2, repetitions - out.size() / n);
+      for (std::size_t i = 0; i < n * each; ++i) row.push_back(i % n);
+      shuffle(row, random);
     } else {
       row = inOrder(n);
       do shuffle(row, random);

@@ -1,5 +1,6 @@
-// The order of an experiment's trials: every condition equally often, in a random order that neither subject nor
-// operator can foresee, and that a seed reproduces.
+// The order of an experiment's trials: every condition equally often, in a random order that a seed reproduces and that
+// neither subject nor operator can foresee. Who counts along knows the end of a block, as with every order that is
+// balanced block by block.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,11 @@
 namespace fyd::experiment {
 
 enum class TrialOrder : std::uint8_t {
-  permuted_blocks,  ///< each block holds every condition once, shuffled; no condition twice in a row
-  latin_square      ///< row after row of a Williams design: balanced for first-order carry-over
+  /// Each block holds every condition once, shuffled; no condition twice in a row. Of two conditions that leaves one
+  /// order, in turns: there a block holds each twice (the last of an odd number of repetitions once), shuffled, and a
+  /// condition may follow itself.
+  permuted_blocks,
+  latin_square  ///< row after row of a Williams design: balanced for first-order carry-over
 };
 
 struct Trial {
