@@ -25,6 +25,10 @@ struct Reader {
   void field(std::string_view text) {
     if (!problem.empty()) return;
     if (!has_header) {
+      if (header.size() == kMostCsvColumns) {
+        problem = say("{}:{}: more than {} columns; expected a table of measurements", source, line, kMostCsvColumns);
+        return;
+      }
       header.emplace_back(text);
     } else {
       for (std::size_t i = 0; i < position.size(); ++i) {

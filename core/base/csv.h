@@ -25,9 +25,13 @@ enum class EmptyField : std::uint8_t { refused, nan };
 
 /// Reads the named columns, in that order, whatever their order in the file; other columns are ignored.
 /// "nan" (any case) reads as NaN; the caller decides whether that is allowed.
-/// @return an error with file and line for a missing column, text in a number, a short row, or no rows
+/// @return an error with file and line for a missing column, more than kMostCsvColumns, text in a number, a short row,
+/// or no rows
 [[nodiscard]] Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name,
                                         const std::vector<std::string>& wanted, EmptyField empty = EmptyField::refused);
+
+/// More are refused: each name is kept in memory, and a damaged file may be nothing but commas.
+inline constexpr std::size_t kMostCsvColumns = 1000;
 
 /// A larger file is refused: a table of measurements is shorter, and a device or a pipe may never end.
 inline constexpr std::size_t kLargestCsv_bytes = std::size_t{256} << 20;
