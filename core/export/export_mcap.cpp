@@ -6,9 +6,11 @@
 // Times are nanoseconds since 1970: the recording's UTC start plus the station's clock.
 #include <sodium.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <iomanip>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
@@ -28,7 +30,10 @@ using Json = nlohmann::ordered_json;
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// 0 when the text is no ISO 8601 time: times then count from the recording's start.
+__extension__ using Wide = __int128;  // instants in a file are arbitrary: their sums must not overflow
+
+/// 0 when the text is no ISO 8601 time that nanoseconds since 1970 can tell, until 2262: times then count from the
+/// recording's start.
 std::chrono::nanoseconds sinceEpoch(const std::string& utc) {
   std::tm parts{};
   std::istringstream text(utc);
@@ -36,7 +41,10 @@ std::chrono::nanoseconds sinceEpoch(const std::string& utc) {
   if (!text) return {};
   double fraction_s = 0.0;
   if (text.peek() == '.') text >> fraction_s;
-  return std::chrono::seconds(::timegm(&parts)) + fromSeconds(fraction_s);
+  constexpr std::time_t kEnd_s = std::numeric_limits<std::int64_t>::max() / 1'000'000'000;
+  const std::time_t since_s = ::timegm(&parts);
+  if (since_s < 0 || since_s >= kEnd_s || !(fraction_s < 1.0)) return {};
+  return std::chrono::seconds(since_s) + fromSeconds(fraction_s);
 }
 
 /// Merges the other streams of a recording into the telemetry, in the order of time.
@@ -129,8 +137,9 @@ class McapExport {
 
  private:
   [[nodiscard]] std::uint64_t nanoseconds(Instant when) const {
-    const auto time = epoch_ + std::chrono::nanoseconds(when - recording_.info().header.started);
-    return static_cast<std::uint64_t>(std::max<std::int64_t>(time.count(), 0));
+    const Duration started = recording_.info().header.started.time_since_epoch();
+    const Wide time_ns = Wide{epoch_.count()} + when.time_since_epoch().count() - started.count();
+    return static_cast<std::uint64_t>(std::clamp<Wide>(time_ns, 0, std::numeric_limits<std::int64_t>::max()));
   }
   [[nodiscard]] std::uint64_t nanosecondsInto(double time_s) const {
     return nanoseconds(recording_.info().header.started + fromSeconds(time_s));

@@ -12,8 +12,7 @@ namespace {
 enum class ExportKind : std::uint8_t { csv, mat, video, mcap };
 
 std::optional<ExportKind> exportKindOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = extensionOf(path);
   if (extension == ".csv") return ExportKind::csv;
   if (extension == ".mat") return ExportKind::mat;
   if (extension == ".mkv" || extension == ".avi") return ExportKind::video;
@@ -22,6 +21,12 @@ std::optional<ExportKind> exportKindOf(const std::string& path) {
 }
 
 }  // namespace
+
+std::string extensionOf(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
 
 std::vector<std::string> exportFiles(const std::string& path) {
   const auto beside = [&path](const char* ending) {

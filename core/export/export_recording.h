@@ -40,6 +40,9 @@ struct ExportResult {
 /// The files that an export to `path` makes: that one, and the one beside it.
 [[nodiscard]] std::vector<std::string> exportFiles(const std::string& path);
 
+/// Of a path, with its dot, in small letters: the kind of file, however it is written.
+[[nodiscard]] std::string extensionOf(const std::string& path);
+
 /// Whether an export can be what its words say, whichever the recording: kind of file, fields, order of the bounds.
 [[nodiscard]] Result<void> checkExport(const std::string& path, const ExportOptions& options);
 /// Of these, fields and bounds (export_selection.cpp).

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "core/base/codecs/codecs.h"
 #include "core/base/median.h"
@@ -177,15 +176,13 @@ Result<ExportResult> exportVideo(const recording::Recording& recording, const st
   const auto rate_Hz = rateOf(recording, *first, recording.info().frames, options.progress);
   if (!rate_Hz) return tl::unexpected(rate_Hz.error());
 
-  const std::filesystem::path target(path);
   ExportResult result{.files = exportFiles(path), .rate_Hz = *rate_Hz};
   auto file = recording::ExportFile::create(path, options.replace);
   if (!file) return tl::unexpected(file.error());
   auto times = recording::ExportFile::create(result.files.back(), options.replace);
   if (!times) return tl::unexpected(times.error());
 
-  const std::string extension = target.extension().string();
-  FrameWriter video(file->temporary(), extension == ".mkv" || extension == ".MKV", *rate_Hz);
+  FrameWriter video(file->temporary(), extensionOf(path) == ".mkv", *rate_Hz);
   auto done = writeFrames(recording, *first, options, video, *times, result);
   if (done) done = video.finish(recording::partOf(options.progress, kFramesShare, 1.0));
   if (!done) return fail(about(path, done.error().message));

@@ -18,8 +18,9 @@ std::string describeChange(const pipeline::Event& event) {
   const std::vector<Parameter> all = bindParameters(parameters);
   if (event.index >= all.size()) return fmt::format("parameter {} = {}", event.index, event.value);
   const Parameter& parameter = all[event.index];
-  const auto choice = static_cast<std::size_t>(std::isfinite(event.value) && event.value >= 0 ? event.value : 1e6);
-  if (choice < parameter.choices.size()) return fmt::format("{} = {}", parameter.id, parameter.choices[choice]);
+  if (event.value >= 0.0 && event.value < static_cast<double>(parameter.choices.size())) {  // a file holds any number
+    return fmt::format("{} = {}", parameter.id, parameter.choices[static_cast<std::size_t>(event.value)]);
+  }
   const std::string unit = parameter.info.unit == "1" ? std::string() : fmt::format(" {}", parameter.info.unit);
   return fmt::format("{} = {}{}", parameter.id, event.value, unit);
 }

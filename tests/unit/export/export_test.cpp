@@ -259,6 +259,43 @@ TEST_F(Export, VideoWithoutLossHoldsThePicturesAtTheirTimes) {
   EXPECT_THAT(read(path("a.times.csv")), HasSubstr("3,3,13,0.31\n4,3,13,0.31\n5,3,13,0.31\n6,4,14,0.6\n"));
 }
 
+TEST_F(Export, AVideosKindIsInItsEndingHoweverThatIsWritten) {
+  recording::FakeRecording recording = session();
+  addPictures(recording, {0.0, 0.1, 0.2});
+  for (const char* name : {"a.Mkv", "b.mKV", "c.MKV"}) {
+    done(exportRecording(recording, path(name), {}));
+    cv::VideoCapture video(path(name));
+    cv::Mat frame;
+    for (const auto& picture : recording.pictures_) {
+      ASSERT_TRUE(video.read(frame)) << name;
+      std::vector<cv::Mat> planes;
+      cv::split(frame, planes);
+      EXPECT_EQ(cv::norm(planes[0], picture.whole, cv::NORM_INF), 0.0) << name << ": without loss";
+    }
+  }
+}
+
+TEST_F(Export, AStartThatNanosecondsCannotTellIsNoTime) {
+  recording::FakeRecording recording = session(10);
+  recording.notes_.clear();
+  const auto seconds = [&](const char* started_utc) {
+    recording.info_.header.started_utc = started_utc;
+    done(exportRecording(recording, path("a.mcap"), {.replace = true}));
+    const std::string text = read(path("a.mcap"));
+    const std::string key = R"("timestamp":{"sec":)";
+    const std::size_t at = text.find(key);
+    return at == text.npos ? std::string("none") : text.substr(at + key.size(), text.find(',', at) - at - key.size());
+  };
+  EXPECT_EQ(seconds("2026-03-14T09:26:53.500Z"), "1773480413");  // date -u -d 2026-03-14T09:26:53Z +%s
+  EXPECT_EQ(seconds("2262-04-11T23:47:15Z"), "9223372035");
+  for (const char* wrong : {"2262-04-11T23:47:16Z", "9999-01-01T00:00:00", "1969-12-31T23:59:59Z",
+                            "0001-01-01T00:00:00", "2026-03-14T09:26:53.5e300Z", "today"}) {
+    EXPECT_EQ(seconds(wrong), "0") << wrong;
+  }
+  recording.info_.header.started = instantAt(90.0);  // the first line comes ten seconds later, beyond the last one
+  EXPECT_EQ(seconds("2262-04-11T23:47:15Z"), "9223372036");
+}
+
 TEST_F(Export, VideoOfTheRegionOfARangeHasAnEvenSize) {
   recording::FakeRecording recording = session();
   addPictures(recording, {0.0, 0.1, 0.2, 0.3, 0.4});
@@ -294,6 +331,8 @@ TEST(ExportWords, AParameterIsNamedWithItsUnitOrItsWord) {
   EXPECT_EQ(changed(10, 1.0), "sensing.finger_mode = thesis");
   EXPECT_EQ(changed(60'000, 1.5), "parameter 60000 = 1.5");
   EXPECT_THAT(changed(10, pipeline::kNone), HasSubstr("nan"));
+  for (const double wild : {-1.0, 1e300, 1.8446744073709552e19, std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(changed(10, wild), fmt::format("sensing.finger_mode = {}", wild));
 }
 
 TEST(ExportWords, ANumberThatThisProgramDoesNotKnowIsShown) {
