@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <ctime>
+#include <system_error>
 #include <utility>
 
 #include <poll.h>
@@ -54,12 +55,18 @@ struct UdpSocket::Impl {
 };
 
 Result<UdpSocket> UdpSocket::open(const Endpoint& local) {
-  auto impl = std::make_unique<Impl>();
+  std::unique_ptr<Impl> impl;
   std::error_code problem;
   const Udp::endpoint wanted = toAsio(local);
   const auto cannot = [&](const Message& what) {
     return fail("UDP {}: {}: {}", toString(local), what, systemReason(problem));
   };
+  try {
+    impl = std::make_unique<Impl>();  // takes files of its own
+  } catch (const std::system_error& failed) {
+    problem = failed.code();
+    return cannot(say("cannot open a socket"));
+  }
   impl->socket.open(wanted.protocol(), problem);
   if (problem) return cannot(say("cannot open a socket"));
   impl->socket.bind(wanted, problem);

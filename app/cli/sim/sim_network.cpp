@@ -88,6 +88,7 @@ void runNetwork(const NetworkCliOptions& given) {
                 {"seconds", jsonNumber(status.seconds)},
                 {"callers", status.callers},
                 {"callers_refused", status.callers_refused},
+                {"no_socket", status.no_socket.text()},
                 {"wrong_peer_datagrams", status.wrong_peer},
                 {"forward", directionJson(status.forward)},
                 {"backward", directionJson(status.backward)}},

@@ -84,7 +84,10 @@ std::size_t NetworkRelay::callerOf(const protocol::Endpoint& from) {
   any_port.v6 = options_.forward.v6;
   any_port.port = 0;
   auto socket = protocol::UdpSocket::open(any_port);
-  if (!socket) return callers_.size();
+  if (!socket) {
+    now_.no_socket = socket.error().message;
+    return callers_.size();
+  }
   callers_.push_back({.address = from,
                       .socket = std::move(*socket),
                       .forward = NetworkEmulator(options_.path.forward),

@@ -42,7 +42,8 @@ struct NetworkRelayStatus {
   DirectionStatistics forward;
   DirectionStatistics backward;
   std::uint64_t callers = 0;
-  std::uint64_t callers_refused = 0;  ///< datagrams of callers beyond the sixteenth
+  std::uint64_t callers_refused = 0;  ///< datagrams of callers beyond the sixteenth, or for whom there was no socket
+  Message no_socket;                  ///< why there was none for the last such caller; empty: there always was one
   std::uint64_t wrong_peer = 0;       ///< answers from another address than the called side's
   double seconds = 0.0;
 };

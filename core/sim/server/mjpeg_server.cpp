@@ -15,6 +15,7 @@ using Tcp = asio::ip::tcp;
 
 constexpr std::size_t kLongestRequest = 4096;
 constexpr std::size_t kMaximumReaders = 8;
+constexpr Duration kLongestSilence = std::chrono::seconds(3);  // of a reader that has not asked for anything
 constexpr double kFlatGrey = 200.0;
 constexpr int kWrongBytes = 8;
 constexpr std::string_view kStreamHead =
@@ -40,12 +41,15 @@ struct MjpegServer::Acceptor {
 
 struct MjpegServer::Reader {
   Tcp::socket socket;
+  Instant came;
   std::string request;
   std::string pending;
   bool streaming = false;
   bool last = false;  ///< closes when nothing is pending
 
-  void hear() {
+  void hear(Instant now) {
+    // Or eight that say nothing would keep everybody else out.
+    if (!streaming && now - came > kLongestSilence) last = true;
     std::array<char, 512> buffer{};
     std::error_code problem;
     const std::size_t got = socket.read_some(asio::buffer(buffer), problem);
@@ -83,10 +87,15 @@ struct MjpegServer::Reader {
 Result<std::unique_ptr<MjpegServer>> MjpegServer::start(const protocol::Endpoint& local,
                                                         std::unique_ptr<device::Camera> camera, FaultPlan faults) {
   if (const auto loaded = codecs::load(); !loaded) return tl::unexpected(loaded.error());
-  auto acceptor = std::make_unique<Acceptor>();
+  std::unique_ptr<Acceptor> acceptor;
   auto wanted = toAsio(local);
   std::error_code problem;
-  acceptor->acceptor.open(wanted->protocol(), problem);
+  try {
+    acceptor = std::make_unique<Acceptor>();
+  } catch (const std::system_error& failed) {
+    problem = failed.code();
+  }
+  if (!problem) acceptor->acceptor.open(wanted->protocol(), problem);
   if (!problem) acceptor->acceptor.set_option(Tcp::acceptor::reuse_address(true), problem);
   if (!problem) acceptor->acceptor.bind(*wanted, problem);
   if (!problem) acceptor->acceptor.listen(static_cast<int>(kMaximumReaders), problem);
@@ -116,7 +125,7 @@ void MjpegServer::acceptReaders() {
     if (problem) return;
     socket.non_blocking(true, problem);
     socket.set_option(Tcp::no_delay(true), problem);
-    readers_.push_back({.socket = std::move(socket), .request = {}, .pending = {}});
+    readers_.push_back({.socket = std::move(socket), .came = Clock::now(), .request = {}, .pending = {}});
   }
 }
 
@@ -164,7 +173,7 @@ void MjpegServer::run(const std::stop_token& stop) {
     ++pictures_;
     acceptReaders();
     for (auto reader = readers_.begin(); reader != readers_.end();) {
-      reader->hear();
+      reader->hear(Clock::now());
       reader = reader->speak(part_) ? std::next(reader) : readers_.erase(reader);
     }
   }

@@ -1,5 +1,5 @@
 // Serves a camera's pictures as an MJPEG stream over HTTP at "/", to several readers. A slow reader misses pictures and
-// never delays the others. One thread.
+// never delays the others; one that asks for nothing within three seconds is let go. One thread.
 #pragma once
 
 #include <atomic>

@@ -6,18 +6,18 @@
 #include <list>
 
 #include <modbus/modbus.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <asio/io_context.hpp>
 #include <asio/ip/tcp.hpp>
+#include <asio/steady_timer.hpp>
 
 #include "core/base/system_reason.h"
 
 namespace fyd::sim {
 namespace {
 
-constexpr int kModbusWake_ms = 10;
+constexpr Duration kNextAccept = std::chrono::milliseconds(100);  // after one that failed
 constexpr Duration kRestOfRequest = std::chrono::milliseconds(50);
 constexpr std::uint8_t kReadHolding = 0x03;
 constexpr std::uint8_t kWriteSingle = 0x06;
@@ -26,12 +26,12 @@ constexpr std::uint8_t kWriteAndRead = 0x17;
 
 std::atomic<int> next_master{1};
 
-int word(const std::uint8_t* bytes) { return (bytes[0] << 8) | bytes[1]; }
+constexpr std::size_t kTcpUnitAt = 6;  // behind transaction, protocol and length
 
-bool readable(int file) {
-  pollfd ready{.fd = file, .events = POLLIN, .revents = 0};
-  return ::poll(&ready, 1, kModbusWake_ms) > 0;
-}
+/// Over TCP a touchpad is reached by its address: a master need not know its unit.
+bool isOurs(std::uint8_t unit) { return unit == protocol::kModbusUnit || unit == 0 || unit == MODBUS_TCP_SLAVE; }
+
+int word(const std::uint8_t* bytes) { return (bytes[0] << 8) | bytes[1]; }
 
 asio::ip::tcp::endpoint listeningAt(const protocol::Endpoint& local) {
   if (!local.v6) {
@@ -66,6 +66,8 @@ bool ModbusResponder::serve() {
   std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> request{};
   const int length = modbus_receive(context_, request.data());
   if (length > 0) {
+    // libmodbus passes over another unit's request on a serial line only.
+    if (tcp_ && !isOurs(request[kTcpUnitAt])) return true;
     answer(request.data(), length);
     return true;
   }
@@ -163,15 +165,17 @@ struct ModbusTcpServer::Client {
 struct ModbusTcpServer::Sockets {
   asio::io_context io;
   asio::ip::tcp::acceptor acceptor{io};
+  asio::steady_timer pause{io};
   std::list<Client> clients;
   bool accepting = false;
 };
 
 Result<std::unique_ptr<ModbusTcpServer>> ModbusTcpServer::start(const protocol::Endpoint& local,
                                                                 std::shared_ptr<TouchpadElectronics> electronics) {
-  auto sockets = std::make_unique<Sockets>();
+  std::unique_ptr<Sockets> sockets;
   protocol::Endpoint bound = local;
   try {
+    sockets = std::make_unique<Sockets>();
     const auto address = listeningAt(local);
     sockets->acceptor.open(address.protocol());
     sockets->acceptor.set_option(asio::socket_base::reuse_address(true));
@@ -200,8 +204,16 @@ void ModbusTcpServer::accept() {
   if (sockets_->accepting || sockets_->clients.size() >= kMaximumClients) return;
   sockets_->accepting = true;
   sockets_->acceptor.async_accept([this](const std::error_code& problem, asio::ip::tcp::socket socket) {
+    if (problem) {  // no free file, as a rule: asking again at once would only take the processor
+      sockets_->pause.expires_after(kNextAccept);
+      sockets_->pause.async_wait([this](const std::error_code&) {
+        sockets_->accepting = false;
+        accept();
+      });
+      return;
+    }
     sockets_->accepting = false;
-    modbus_t* context = problem ? nullptr : modbus_new_tcp(nullptr, local_.port);
+    modbus_t* context = modbus_new_tcp(nullptr, local_.port);
     if (context != nullptr) {
       std::error_code ignored;
       socket.set_option(asio::ip::tcp::no_delay(true), ignored);
@@ -240,7 +252,7 @@ ModbusRtuServer::ModbusRtuServer(SerialEnd line, const std::string& path, int ba
 
 void ModbusRtuServer::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
-    if (readable(line_.file())) static_cast<void>(responder_->serve());
+    if (line_.waitForBytes()) static_cast<void>(responder_->serve());
   }
 }
 

@@ -1,5 +1,5 @@
 // Serves the simulated touchpad's registers over Modbus TCP or RTU; framing by libmodbus. Holding registers from 0;
-// functions 0x03, 0x06, 0x10, 0x17; unit 1 (over TCP also 0 and 255). One thread per server.
+// functions 0x03, 0x06, 0x10, 0x17; unit 1 (over TCP also 0 and 255), others are not answered. One thread per server.
 #pragma once
 
 #include <atomic>

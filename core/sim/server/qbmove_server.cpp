@@ -2,16 +2,9 @@
 
 #include <array>
 
-#include <poll.h>
 #include <unistd.h>
 
 namespace fyd::sim {
-namespace {
-
-constexpr int kQbmoveWake_ms = 10;
-
-}  // namespace
-
 Result<std::unique_ptr<QbmoveServer>> QbmoveServer::start(const std::string& path, int baud,
                                                           std::shared_ptr<TouchpadElectronics> electronics) {
   auto line = SerialEnd::open(path, baud);
@@ -51,8 +44,7 @@ void QbmoveServer::run(const std::stop_token& stop) {
   protocol::QbmoveParser parser;
   std::array<std::uint8_t, 256> buffer{};
   while (!stop.stop_requested()) {
-    pollfd ready{.fd = line_.file(), .events = POLLIN, .revents = 0};
-    if (::poll(&ready, 1, kQbmoveWake_ms) <= 0) continue;
+    if (!line_.waitForBytes()) continue;
     const ssize_t got = ::read(line_.file(), buffer.data(), buffer.size());
     for (ssize_t i = 0; i < got; ++i) {
       if (const auto frame = parser.push(buffer[static_cast<std::size_t>(i)])) answer(*frame);

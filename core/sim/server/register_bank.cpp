@@ -130,8 +130,9 @@ protocol::DeviceState RegisterBank::stateFor(int master, const device::TouchpadR
   protocol::DeviceState out;
   out.sequence = ++sequence_;
   out.nonce_echo = command_.nonce;
-  out.uptime_us = static_cast<std::uint32_t>(
-      static_cast<std::uint64_t>(toMilliseconds(now - powered_since_) * kUnitsPerMillisecond));
+  // A server may have read its time before another thread began the brown-out that ends later than that.
+  const Duration up = std::max(now - powered_since_, Duration::zero());
+  out.uptime_us = static_cast<std::uint32_t>(static_cast<std::uint64_t>(toMilliseconds(up) * kUnitsPerMillisecond));
   out.status_word = statusBits(drive_.state()) | protocol::status_bit::kVoltageEnabled;
   if (owner_ == master && obeys_) out.status_word |= protocol::status_bit::kRemote;
   if (std::ranges::max(temperature_degC_) >= thermalLimit(settings_) - kWarningBelowLimit_degC) {

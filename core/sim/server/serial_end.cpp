@@ -4,9 +4,11 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -16,6 +18,8 @@ namespace fyd::sim {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds kWake{10};  // until the next check for a stop
 
 Result<int> openMaster(const std::string& link) {
   const int master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -87,6 +91,14 @@ Result<SerialEnd> SerialEnd::open(const std::string& path, int baud) {
   if (!terminal) return tl::unexpected(terminal.error());
   out.terminal_ = std::move(*terminal);
   return out;
+}
+
+bool SerialEnd::waitForBytes() const {
+  pollfd ready{.fd = file(), .events = POLLIN, .revents = 0};
+  if (::poll(&ready, 1, static_cast<int>(kWake.count())) <= 0) return false;
+  // Unplugged, or closed by the other end: poll no longer waits, but what was sent before is still there to be read.
+  if ((ready.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) std::this_thread::sleep_for(kWake);
+  return (ready.revents & POLLIN) != 0;
 }
 
 }  // namespace fyd::sim

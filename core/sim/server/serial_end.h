@@ -34,6 +34,8 @@ class SerialEnd {
   [[nodiscard]] static Result<SerialEnd> open(const std::string& path, int baud);
   /// Non-blocking; open as long as this object.
   [[nodiscard]] int file() const { return port_ ? port_->file() : terminal_->file(); }
+  /// Waits 10 ms at most. @return whether something may be read; a port that is gone is asked no more often than that
+  [[nodiscard]] bool waitForBytes() const;
 
  private:
   std::optional<device::SerialPort> port_;

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/no_free_file.h"
 #include "tests/wait.h"
 
 namespace fyd::sim {
@@ -151,6 +152,22 @@ TEST_F(RelayTest, TheSeventeenthCallerIsRefused) {
   EXPECT_FALSE(receive(called, Duration::zero()));
   stop();
   EXPECT_EQ(relay->status().callers_refused, 1U);
+}
+
+TEST_F(RelayTest, ACallerForWhomThereIsNoSocketIsCountedWithTheReason) {
+  start({});
+  auto caller = socketAt("127.0.0.2:0");
+  EXPECT_TRUE(relay->status().no_socket.empty());
+  {
+    const NoFreeFile none;
+    static_cast<void>(caller.send(text("hello"), relay->local()));
+    ASSERT_TRUE(comesTrue("the caller to be refused", [&] { return relay->status().callers_refused > 0; }));
+  }
+  EXPECT_THAT(relay->status().no_socket.text(), ::testing::HasSubstr("Too many open files"));
+  EXPECT_EQ(relay->status().callers, 0U);
+  static_cast<void>(caller.send(text("hello"), relay->local()));
+  EXPECT_TRUE(receive(called)) << "there is a socket again";
+  stop();
 }
 
 TEST_F(RelayTest, WrongOptionsAreRefusedWithTheirValue) {

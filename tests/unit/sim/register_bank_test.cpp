@@ -149,6 +149,14 @@ TEST(RegisterBank, TheClockWrapsInADayAndNothingElseNotices) {
             static_cast<std::uint16_t>((86'400'000'000ULL & 0xFFFFFFFFULL) >> 16U));
 }
 
+TEST(RegisterBank, AnAnswerOfBeforeItsPowerUpSaysThatTheClockHasJustBegun) {
+  Bank b;
+  b.bank.restart(at(1.0), protocol::DriveFault::undervoltage);
+  EXPECT_EQ(b.read(addressOf("uptime"), 0.999), 0);
+  EXPECT_EQ(b.read(addressOf("uptime") + 1, 0.999), 0);
+  EXPECT_EQ(b.read(addressOf("uptime") + 1, 1.001), 1000);
+}
+
 TEST(MotorBoard, ItsWatchdogExpiresAndItsVibrationCommandIsTheOneItWasGiven) {
   MotorBoard board({.vibration_opcode = 145});
   const auto tell = [&](const protocol::QbmoveFrame& frame, double t) {
