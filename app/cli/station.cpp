@@ -18,7 +18,7 @@
 #include "core/station/profile/option_words.h"
 #include "core/station/station.h"
 #include "core/station/station_sources.h"
-#include "core/texture/felt/felt_plant.h"
+#include "core/texture/felt/felt_level.h"
 
 namespace fyd::cli {
 namespace {
@@ -106,7 +106,7 @@ nlohmann::ordered_json vibrationOf(const SessionFigures& figures, bool identifie
   const double felt_g = std::sqrt(figures.felt_squares / count);
   return {{"plant", identified ? "identified" : "not identified"},
           {"felt_g_rms", jsonNumber(felt_g)},
-          {"felt_level_dB", jsonNumber(20.0 * std::log10(felt_g / texture::kFeltThreshold_g))},
+          {"felt_level_dB", jsonNumber(texture::feltLevel_dB(felt_g))},
           {"felt_g_rms_simulated", jsonNumber(truth.felt_g_rms)},
           {"duty_rms_percent", jsonNumber(std::sqrt(figures.duty_squares / count))},
           {"dead_share", jsonNumber(figures.dead / count)},

@@ -6,7 +6,7 @@
 
 #include "core/base/median.h"
 #include "core/export/export_selection.h"
-#include "core/texture/felt/felt_plant.h"
+#include "core/texture/felt/felt_level.h"
 
 namespace fyd::exports {
 namespace {
@@ -48,7 +48,7 @@ class OpenTouch {
   [[nodiscard]] Touch finish() {
     if (duty_rows_ > 0) touch_.vibration_rms_percent = std::sqrt(duty_squares_ / static_cast<double>(duty_rows_));
     const double felt_g = std::sqrt(felt_squares_ / static_cast<double>(duty_rows_));
-    if (felt_g > 0.0) touch_.felt_level_dB = 20.0 * std::log10(felt_g / texture::kFeltThreshold_g);
+    if (felt_g > 0.0) touch_.felt_level_dB = texture::feltLevel_dB(felt_g);
     const double band = kSettledBand * std::abs(touch_.target_N_per_mm);
     // Backward from the last while within the band: the settled part.
     auto settled = measured_.end();

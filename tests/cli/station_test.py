@@ -42,6 +42,11 @@ class Sessions(fyd.Case):
         self.assertEqual(set(felt), {"plant", "felt_g_rms", "felt_level_dB", "felt_g_rms_simulated",
                                      "duty_rms_percent", "dead_share", "clipped_share"})
 
+    def test_where_nothing_is_felt_the_level_ends_where_that_of_the_telemetry_does(self):
+        felt = self.json(*SESSION, "--robot", "none", "--duration", 3, "--json")["vibration"]
+        if felt["felt_g_rms"] is not None:  # touched, and not held by a loaded machine before
+            self.assertAlmostEqual(felt["felt_level_dB"], -120)
+
     def test_the_energy_of_the_finger_and_what_the_robot_tells_stand_beside_the_target(self):
         for coupling in ("direct", "model"):
             out = self.path(coupling + ".csv")

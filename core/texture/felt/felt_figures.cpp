@@ -7,7 +7,7 @@
 
 #include "core/base/portable_math.h"
 #include "core/signal/welch.h"
-#include "core/texture/felt/felt_plant.h"
+#include "core/texture/felt/felt_level.h"
 
 namespace fyd::texture {
 namespace {
@@ -141,7 +141,7 @@ FeltFigures compareFelt(std::span<const double> wanted, std::span<const double> 
   out.third_octave_error_dB = thirdOctaveError(a, b);
   out.envelope = correlation(envelopeOf(wanted), envelopeOf(finger));
   out.level_g = std::sqrt(power / static_cast<double>(count));
-  out.level_dB = 2.0 * decibels(std::max(out.level_g, 1e-6 * kFeltThreshold_g) / kFeltThreshold_g);
+  out.level_dB = feltLevel_dB(out.level_g);
   out.lag_ms = lagOf(wanted, finger);
   return out;
 }

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/base/portable_math.h"
+#include "core/texture/felt/felt_level.h"
 
 namespace fyd::texture {
 namespace {
 
 constexpr double kAveraging_s = 1.0;
-constexpr double kLeastRatio = 1e-6;  // of the threshold: −120 dB
 
 signal::BiquadCoefficients clothFilter(double resonance_Hz, double damping, double gain, double rate_Hz) {
   const double w = 2.0 * std::numbers::pi * resonance_Hz;
@@ -81,13 +80,13 @@ void FingerPrediction::step(const std::array<double, kFeltMotors>& duty_percent,
 }
 
 FingerFigures FingerPrediction::figures() const {
-  const double relative = std::sqrt(finger_mean_square_) / kFeltThreshold_g;
+  const double felt_g = std::sqrt(finger_mean_square_);
   return {.acceleration_g = acceleration_g_,
-          .level_dB = 20.0 / std::numbers::ln10 * math::log(std::max(relative, kLeastRatio)),
+          .level_dB = feltLevel_dB(felt_g),
           .dead_share = dead_share_,
           .clipped_share = clipped_share_,
           .duty_rms_percent = std::sqrt(std::max(duty_mean_square_[0], duty_mean_square_[1])),
-          .out_of_reach = wanted_mean_square_ > kWantedThreshold_g * kWantedThreshold_g && relative < 1.0};
+          .out_of_reach = wanted_mean_square_ > kWantedThreshold_g * kWantedThreshold_g && felt_g < kFeltThreshold_g};
 }
 
 }  // namespace fyd::texture

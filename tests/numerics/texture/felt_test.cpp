@@ -10,6 +10,7 @@
 
 #include "app/bench/parts/allocation_count.h"
 #include "core/base/archive.h"
+#include "core/texture/felt/felt_level.h"
 #include "core/texture/felt/felt_mapping.h"
 #include "core/texture/felt/finger_prediction.h"
 #include "core/texture/test_signals.h"
@@ -256,6 +257,13 @@ TEST(FeltRenderer, StepsWithoutMemory) {
     (void)oneStep(renderer, n);
   }
   EXPECT_EQ(allocations.count(), 0U);
+}
+
+TEST(FingerPrediction, ALevelEndsAtMinus120) {
+  EXPECT_NEAR(feltLevel_dB(0.2), 20.0, 1e-12);  // ten times what a finger feels
+  EXPECT_NEAR(feltLevel_dB(0.0), -120.0, 1e-9);
+  EXPECT_EQ(feltLevel_dB(1e-30), feltLevel_dB(0.0));
+  EXPECT_TRUE(std::isnan(feltLevel_dB(std::nan(""))));
 }
 
 TEST(FingerPrediction, SaysWhatIsOutOfReachDeadAndClipped) {
