@@ -1,5 +1,5 @@
-// fyd-console: the operator's window. Exit codes: 0 success, 1 the session could not be opened, 2 wrong usage, 128 + N
-// ended by signal N, 3 the display was lost, both with the recording closed.
+// fyd-console: the operator's window. Exit codes: 0 success, 1 a file or the session could not be opened, 2 wrong usage, 128
+// + N ended by signal N, 3 the display was lost, both with the recording closed.
 #include <QApplication>
 #include <QBuffer>
 #include <QFileInfo>
@@ -86,7 +86,8 @@ int main(int argc, char** argv) {
   const fyd::console::WindowMemory memory(!options->standardWindow() ? fyd::console::memoryFile(profile_path)
                                                                      : QString());
   const auto start = fyd::console::readStart(*options, profile_path, memory);
-  if (!start) return complain(start.error().message, 2);
+  if (!start) return complain(start.error().message, 1);
+  if (const auto there = fyd::console::checkReview(*options); !there) return complain(there.error().message, 1);
   fyd::watchForEnd();
   fyd::device::prepareCaptures();  // the session may be opened later, beside the threads of the window
   auto opened = fyd::console::openStart(*start);

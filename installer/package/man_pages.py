@@ -3,7 +3,7 @@ import re
 
 EXIT = {
     "fyd": ["0", "What was asked is done.", "1", "It failed; standard error says why.", "2", "Wrong usage."],
-    "fyd-console": ["0", "The window was closed.", "1", "The session could not be opened.", "2", "Wrong usage.",
+    "fyd-console": ["0", "The window was closed.", "1", "A file or the session could not be opened.", "2", "Wrong usage.",
                     "128 + N", "Ended by signal N, with the recording closed."],
 }
 

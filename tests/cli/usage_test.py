@@ -5,6 +5,9 @@ import unittest
 
 import fyd
 
+CONSOLE = os.path.join(os.path.dirname(fyd.PROGRAM), "fyd-console")
+needs_window = unittest.skipUnless(os.path.exists(CONSOLE), "built without the window")
+
 
 class Usage(fyd.Case):
     def test_a_word_that_is_no_command_is_named_beside_those_that_are(self):
@@ -17,32 +20,63 @@ class Usage(fyd.Case):
         self.assertRegex(said, "foo not in {.*duration.*}")
         self.assertNotRegex(said, "[0-9]")
 
-    def test_a_stations_words_are_judged_before_anything_is_looked_at(self):
+    def window_refuses(self, code, *words):
+        """What fyd-console says on standard error of words that it ends with `code`."""
+        done = subprocess.run([CONSOLE, *words], capture_output=True, text=True, check=False, timeout=fyd.PATIENCE,
+                              env=dict(os.environ, QT_QPA_PLATFORM="offscreen"))
+        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
+        return done.stderr
+
+    @staticmethod
+    def wrong_words(recording):
+        """(words of a station, of `fyd` and of the window, what is said of them)"""
         real = ("--touchpad", "modbus-tcp:127.0.0.1:1")
         camera, key = ("--camera", "/nowhere/camera"), ("--key", "/nowhere/lab.key")
         played = ("--touchpad", "recording:/nowhere/a.h5")
         scene = "scene:/nowhere/s.toml"
         simulated = ("--simulate", "--robot")
-        for words, said in (
-                (("--touchpad", "foo"), "touchpad 'foo': expected"),  # and not that its camera is missing
-                (("--touchpad", "modbus-tcp:127.0.0.1:1,serial="), "expected a serial number of 1 to 16 characters"),
-                (("--simulate", "--motors", "foo"), "motors 'foo': expected qbmove:TTY"),
-                (real, "camera: none given"),
-                ((*real, *camera, "--finger", "/nowhere/f.csv"), "finger '/nowhere/f.csv': only the simulated touchpad"),
-                ((*played, "--finger", "/nowhere/f.csv"), "finger '/nowhere/f.csv': only the simulated touchpad"),
-                ((*played, "--motors", "qbmove:/dev/null"), "a recording drives no motors"),
-                ((*simulated, "foo"), "robot 'foo': expected"),
-                ((*simulated, "link:127.0.0.1:0"), "needs a key file"),
-                ((*simulated, "link:foo", *key), 'address "foo": no port'),
-                ((*simulated, "none", *key), "takes no key file"),
-                ((*simulated, "simulated:foo"), "foo"),
-                ((*simulated, "classic:foo"), 'address "foo": no port'),
-                ((*simulated, scene, "--scene", "other.toml"), "the robot is a scene already"),
-                (("--simulate", "--catalogue", "nonsense"), "catalogue 'nonsense': expected sqlite:PATH"),
-                (("--simulate", "--record", self.path("a.h5"), "--subject", "Anna Rossi"), "expected a code")):
+        return (
+            (("--touchpad", "foo"), "touchpad 'foo': expected"),  # and not that its camera is missing
+            (("--touchpad", "modbus-tcp:127.0.0.1:1,serial="), "expected a serial number of 1 to 16 characters"),
+            (("--simulate", "--motors", "foo"), "motors 'foo': expected qbmove:TTY"),
+            (real, "camera: none given"),
+            ((*real, *camera, "--finger", "/nowhere/f.csv"), "finger '/nowhere/f.csv': only the simulated touchpad"),
+            ((*played, "--finger", "/nowhere/f.csv"), "finger '/nowhere/f.csv': only the simulated touchpad"),
+            ((*played, "--motors", "qbmove:/dev/null"), "a recording drives no motors"),
+            ((*simulated, "foo"), "robot 'foo': expected"),
+            ((*simulated, "link:127.0.0.1:0"), "needs a key file"),
+            ((*simulated, "link:foo", *key), 'address "foo": no port'),
+            ((*simulated, "none", *key), "takes no key file"),
+            ((*simulated, "simulated:foo"), "foo"),
+            ((*simulated, "classic:foo"), 'address "foo": no port'),
+            ((*simulated, scene, "--scene", "other.toml"), "the robot is a scene already"),
+            (("--simulate", "--catalogue", "nonsense"), "catalogue 'nonsense': expected sqlite:PATH"),
+            (("--simulate", "--record", recording, "--subject", "Anna Rossi"), "expected a code"))
+
+    def test_a_stations_words_are_judged_before_anything_is_looked_at(self):
+        for words, said in self.wrong_words(self.path("a.h5")):
             with self.subTest(words=words):
                 self.assertIn(said, self.refused(2, "station", "--duration", 1, "--profile", "/nowhere/lab.toml", *words))
         self.assertEqual(os.listdir(self.folder), [])
+
+    @needs_window
+    def test_the_window_judges_the_same_words_in_the_same_way(self):
+        for words, said in self.wrong_words(self.path("a.h5")):
+            with self.subTest(words=words):
+                self.assertIn(said, self.window_refuses(2, "--profile", "/nowhere/lab.toml", *words))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    @needs_window
+    def test_what_a_file_says_is_no_wrong_usage_for_both(self):
+        pad = self.write("pad.toml", '[station]\ntouchpad = "pad"\n')
+        for words, said in ((("--finger", "/nowhere/f.csv"), "/nowhere/f.csv"), (("--profile", "/nowhere/lab.toml"), "/nowhere/lab.toml"),
+                            (("--scene", "/nowhere/s.toml"), "/nowhere/s.toml"), (("--robot", "scene:/nowhere/s.toml"), "/nowhere/s.toml"),
+                            (("--robot", "link:127.0.0.1:0", "--key", "/nowhere/lab.key"), "/nowhere/lab.key")):
+            with self.subTest(words=words):
+                self.assertIn(said, self.refused(1, "station", "--duration", 1, "--simulate", *words))
+                self.assertIn(said, self.window_refuses(1, "--simulate", *words))
+        self.assertIn("pad", self.window_refuses(1, "--profile", pad))
+        self.assertIn("/nowhere/a.h5", self.window_refuses(1, "--simulate", "--review", "/nowhere/a.h5"))
 
     def test_a_profiles_word_is_no_wrong_usage(self):
         for number, word in enumerate(('robot = "robby"', 'touchpad = "pad"', 'motors = "maxon"')):

@@ -570,7 +570,8 @@ class ConsoleTest : public QObject {
          {QStringList{QStringLiteral("--theme"), QStringLiteral("pink")},
           QStringList{QStringLiteral("--after"), QStringLiteral("soon")},
           QStringList{QStringLiteral("--after"), QStringLiteral("-1")},
-          QStringList{QStringLiteral("--finger"), QStringLiteral("no-such.csv")},
+          QStringList{QStringLiteral("--touchpad"), QStringLiteral("kitchen")},
+          QStringList{QStringLiteral("--robot"), QStringLiteral("kitchen")},
           QStringList{QStringLiteral("--page"), QStringLiteral("kitchen")},
           QStringList{QStringLiteral("--language"), QStringLiteral("klingon")},
           QStringList{QStringLiteral("--operator"), QStringLiteral("MM")},
@@ -587,13 +588,10 @@ class ConsoleTest : public QObject {
     QVERIFY(options.has_value() && options->theme == widgets::ThemeChoice::light && !options->station.record);
     const auto resolved = station::withProfileSources(options->station);
     QVERIFY(resolved.robot == "simulated" && resolved.touchpad == "simulated");
-    const auto more = console::readOptions(
-        {program, QStringLiteral("--touchpad"), QStringLiteral("modbus-tcp:10.0.0.7:502"), QStringLiteral("--motors"),
-         QStringLiteral("qbmove:/dev/ttyUSB0"), QStringLiteral("--surface"), QStringLiteral("wood.toml"),
-         QStringLiteral("--record"), QStringLiteral("s.h5"), QStringLiteral("--operator"), QStringLiteral("MM"),
-         QStringLiteral("--subject"), QStringLiteral("S07"), QStringLiteral("--tag"), QStringLiteral("pilot"),
-         QStringLiteral("--tag"), QStringLiteral("left hand"), QStringLiteral("--page"), QStringLiteral("devices")},
-        console::placeNames());
+    const QString words = QStringLiteral(
+        "fyd-console|--touchpad|modbus-tcp:10.0.0.7:502|--motors|qbmove:/dev/ttyUSB0|--camera|0|--surface|wood.toml|"
+        "--record|s.h5|--operator|MM|--subject|S07|--tag|pilot|--tag|left hand|--page|devices");
+    const auto more = console::readOptions(words.split(QLatin1Char('|')), console::placeNames());
     QVERIFY2(more.has_value(), more ? "" : more.error().text().c_str());
     QCOMPARE(more->station.touchpad, std::string("modbus-tcp:10.0.0.7:502"));
     QCOMPARE(more->station.motors, std::string("qbmove:/dev/ttyUSB0"));

@@ -9,6 +9,7 @@
 #include "core/catalogue/catalogue_address.h"
 #include "core/experiment/trials.h"
 #include "core/station/profile/option_words.h"
+#include "core/station/station_sources.h"
 #include "widgets/basics/number_text.h"
 
 namespace fyd::console {
@@ -73,12 +74,6 @@ Result<void> checkLanguage(const QString& code) {
 Result<void> checkPage(const QString& name, const QStringList& known) {
   if (name.isEmpty() || known.contains(name)) return {};
   return fail("--page {}: expected one of {}", name.toStdString(), known.join(QStringLiteral(", ")).toStdString());
-}
-
-Result<void> checkReadable(const char* option, const std::string& path) {
-  const QFileInfo file(QString::fromStdString(path));
-  if (path.empty() || (file.isFile() && file.isReadable())) return {};
-  return fail("{} {}: no such file, or it may not be read", option, path);
 }
 
 Result<double> readSeconds(const QString& text) {
@@ -173,7 +168,7 @@ Result<station::StationOptions> readStation(const QCommandLineParser& parser) {
       !record.operator_name.empty() || !record.subject.empty() || !record.notes.empty() || !record.tags.empty();
   if (record.path.empty() && described) return fail(phrase(words::kRecordMissing));
   if (!record.path.empty()) out.record = record;
-  if (const auto ok = checkReadable("--finger", out.finger_csv); !ok) return tl::unexpected(ok.error());
+  if (const auto good = station::checkWords(out); !good) return tl::unexpected(good.error());
   return out;
 }
 
@@ -232,11 +227,16 @@ Result<Options> readOptions(const QStringList& arguments, const QStringList& pla
   options.language = parser.value(QStringLiteral("language"));
   if (const auto ok = checkLanguage(options.language); !ok) return tl::unexpected(ok.error());
   if (const auto ok = checkPage(options.page, places); !ok) return tl::unexpected(ok.error());
-  if (const auto ok = checkReadable("--review", options.review.toStdString()); !ok) return tl::unexpected(ok.error());
   if (const auto ok = catalogue::parseCatalogueAddress(options.catalogue.toStdString()); !ok) {
     return fail("--catalogue: {}", ok.error().message);
   }
   return options;
+}
+
+Result<void> checkReview(const Options& options) {
+  const QFileInfo file(options.review);
+  if (options.review.isEmpty() || (file.isFile() && file.isReadable())) return {};
+  return fail("--review {}: no such file, or it may not be read", options.review.toStdString());
 }
 
 }  // namespace fyd::console

@@ -44,7 +44,9 @@ struct Options {
 };
 
 /// @param arguments with the program's name first; @param places words that --page may name
-/// @return an error naming the option and what was expected
+/// @return an error naming the option and what was expected; the words alone are judged, no file and no device
 [[nodiscard]] Result<Options> readOptions(const QStringList& arguments, const QStringList& places);
+/// @return an error when the recording to review is not there
+[[nodiscard]] Result<void> checkReview(const Options& options);
 
 }  // namespace fyd::console
