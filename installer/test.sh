@@ -7,7 +7,7 @@ preset=${1:-release}
 groups=(run package test)
 case $preset in tsan | fuzz) groups+=(clang) ;; esac
 install_packages "${groups[@]}"
-build "$preset" -UFYD_BUILD_PYTHON -DFYD_BUILD_TESTS=ON -DFYD_WARNINGS_AS_ERRORS="${CI:+ON}"
+build "$preset" -DFYD_BUILD_PYTHON=AUTO -DFYD_BUILD_TESTS=ON -DFYD_WARNINGS_AS_ERRORS="${CI:+ON}"
 say "Running the tests"
 cd "$root"
 ctest --preset "$preset" --no-tests=error

@@ -180,16 +180,19 @@ class Installer(unittest.TestCase):
 
     def test_a_preset_says_what_is_built_whatever_was_left_out_before(self):
         (pathlib.Path(self.folder) / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(small NONE)\n"
-                                                                  "option(FYD_BUILD_TESTS \"\" ON)\noption(FYD_BUILD_BENCHMARKS \"\" ON)\n")
+                                                                  "option(FYD_BUILD_TESTS \"\" ON)\noption(FYD_BUILD_BENCHMARKS \"\" ON)\n"
+                                                                  "set(FYD_BUILD_PYTHON AUTO CACHE STRING \"\")\n")
         (pathlib.Path(self.folder) / "CMakePresets.json").write_text((SOURCE / "CMakePresets.json").read_text())
-        for preset, words, tests, benchmarks in (
-                ("release", ["-DFYD_BUILD_TESTS=OFF", "-DFYD_BUILD_BENCHMARKS=OFF"], "OFF", "OFF"),
-                ("release", [], "ON", "ON"), ("package", [], "OFF", "OFF"), ("branches", [], "ON", "OFF")):
+        left_out = ["-DFYD_BUILD_TESTS=OFF", "-DFYD_BUILD_BENCHMARKS=OFF", "-DFYD_BUILD_PYTHON=OFF"]
+        for preset, words, tests, benchmarks, python in (
+                ("release", left_out, "OFF", "OFF", "OFF"), ("release", [], "ON", "ON", "AUTO"),
+                ("package", [], "OFF", "OFF", "ON"), ("branches", [], "ON", "OFF", "AUTO")):
             done = subprocess.run(["cmake", "--preset", preset, *words], cwd=self.folder, capture_output=True, text=True, timeout=120)
             self.assertEqual(done.returncode, 0, done.stderr)
             cache = (pathlib.Path(self.folder) / "build" / preset / "CMakeCache.txt").read_text()
             self.assertIn(f"FYD_BUILD_TESTS:BOOL={tests}\n", cache)
             self.assertIn(f"FYD_BUILD_BENCHMARKS:BOOL={benchmarks}\n", cache)
+            self.assertRegex(cache, rf"(?m)^FYD_BUILD_PYTHON:\w+={python}$")
 
 
 if __name__ == "__main__":
