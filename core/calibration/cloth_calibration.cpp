@@ -147,11 +147,13 @@ double doubtOverTheCloth(const sensing::IndentationParameters& calibrated, const
 /// made.
 std::vector<double> heldOut(const ClothFitter& fitter, const std::vector<ClothPress>& presses, ClothEdges edges) {
   std::vector<std::size_t> folds;
+  folds.reserve(presses.size());
   for (const ClothPress& press : presses) folds.push_back(press.over);
   return predictHeldOut(
       folds,
       [&](const std::vector<std::size_t>& learn) {
         std::vector<ClothPress> part;
+        part.reserve(learn.size());
         for (const std::size_t i : learn) part.push_back(presses[i]);
         return fitter.fit(part, edges);
       },

@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, control::kMotorCount> kZeros = {sentence(
 
 std::vector<double> unwrapped(const std::vector<double>& counts) {
   std::vector<double> out;
+  out.reserve(counts.size());
   for (const double count : counts) {
     out.push_back(out.empty() ? count : out.back() + std::remainder(count - out.back(), kTurn));
   }

@@ -39,9 +39,8 @@ std::string escaped(std::string_view text) {
 }
 
 Result<std::string> figureSvg(const ReportContent& content) {
-  const auto drawn =
-      drawDocument("the figure", cairo_svg_surface_create_for_stream, kReportWidth, figureHeight(content),
-                   [&](cairo_t* cairo, cairo_surface_t*) { drawFigure(cairo, content); });
+  auto drawn = drawDocument("the figure", cairo_svg_surface_create_for_stream, kReportWidth, figureHeight(content),
+                            [&](cairo_t* cairo, cairo_surface_t*) { drawFigure(cairo, content); });
   if (!drawn) return drawn;
   const std::string& svg = *drawn;
   const std::size_t begin = svg.find("<svg");  // without the XML declaration, which HTML does not allow
@@ -81,7 +80,7 @@ Result<std::string> reportHtml(const ReportContent& content) {
   }
   html += "</dl>\n<figure>\n";
   if (!content.strips.empty()) {
-    const auto svg = figureSvg(content);
+    auto svg = figureSvg(content);
     if (!svg) return svg;
     html += fmt::format("<div role=\"img\" aria-label=\"{}\">\n{}</div>\n", escaped(content.figure), *svg);
   }

@@ -43,7 +43,7 @@ class SceneStage {
 
  private:
   struct Displaced {
-    std::uint32_t body, vertex;
+    std::uint32_t body = 0, vertex = 0;
     Vec3 by_mm;
   };
   struct Published {

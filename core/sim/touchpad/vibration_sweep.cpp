@@ -10,14 +10,14 @@ namespace fyd::sim {
 std::vector<texture::SweepRow> simulatedSweep(const FingerVibrationParameters& parameters, device::DeviceTest test,
                                               double stretch_deg, std::uint64_t seed) {
   constexpr double kNoise_g = 0.002;
-  constexpr Duration kStep = std::chrono::milliseconds(1);
+  constexpr Duration kSweepStep = std::chrono::milliseconds(1);
   const auto motion = device::TestMotion::plan(test, {stretch_deg, -stretch_deg}, std::abs(stretch_deg), stretch_deg);
   std::vector<texture::SweepRow> out;
   if (!motion) return out;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> noise(0.0, kNoise_g);
   FingerVibration vibration(parameters, stretch_deg);
-  for (Duration at{}; at < motion->length(); at += kStep) {
+  for (Duration at{}; at < motion->length(); at += kSweepStep) {
     const auto command = motion->at(at);
     if (!command) break;
     const auto before = vibration.motor_deg();  // the encoders are read before the duty acts
