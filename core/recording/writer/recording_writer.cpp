@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstring>
+#include <new>
 #include <optional>
 
 #include "core/base/checksum.h"
@@ -135,6 +136,8 @@ class Hdf5RecordingWriter final : public RecordingWriter {
       return {};
     } catch (const RecordingFailure& failure) {
       return fail(about(path_, failure.message));
+    } catch (const std::bad_alloc&) {
+      return fail("{}: out of memory", path_);
     }
   }
 

@@ -76,10 +76,4 @@ std::uint64_t StepHistory::unread() const {
   return out;
 }
 
-std::size_t StepHistory::bytes() const {
-  std::size_t out = 0;
-  for (const Chunk& chunk : chunks_) out += chunk.steps.capacity();
-  return out;
-}
-
 }  // namespace fyd::recording

@@ -50,8 +50,6 @@ class StepHistory {
   /// Steps the reader has yet to read.
   [[nodiscard]] std::uint64_t unread() const;
 
-  [[nodiscard]] std::size_t bytes() const;
-
  private:
   struct Chunk {
     StepSnapshot snapshot;
