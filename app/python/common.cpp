@@ -21,11 +21,11 @@ Hdf5Turn::Hdf5Turn() {
 
 Hdf5Turn::~Hdf5Turn() {
   if (!h5py_lock_) return;
-  try {
-    h5py_lock_.attr("release")();
-  } catch (py::error_already_set& error) {
-    error.discard_as_unraisable("fyd: h5py's lock");
-  }
+  // By the C interface, for pybind11 can throw even while it takes an error.
+  const auto released = py::reinterpret_steal<py::object>(PyObject_CallMethod(h5py_lock_.ptr(), "release", nullptr));
+  if (released) return;
+  const auto place = py::reinterpret_steal<py::object>(PyUnicode_FromString("fyd: h5py's lock"));
+  PyErr_WriteUnraisable(place.ptr());
 }
 
 py::str textOf(const std::string& text) {
@@ -36,6 +36,7 @@ py::str textOf(const std::string& text) {
 
 std::vector<py::str> textOf(const std::vector<std::string>& texts) {
   std::vector<py::str> out;
+  out.reserve(texts.size());
   for (const std::string& text : texts) out.push_back(textOf(text));
   return out;
 }

@@ -16,7 +16,7 @@ void addErrors(py::module_& module) {
   module.attr("InvalidValue") = *invalid;
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const Failure& failure) {
       PyErr_SetObject(error->ptr(), textOf(failure.text).ptr());
     } catch (const Refusal& refusal) {

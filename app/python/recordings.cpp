@@ -177,6 +177,15 @@ OpenRecording::OpenRecording(const std::string& path) : path_(path) {
   }));
 }
 
+OpenRecording::~OpenRecording() {
+  try {
+    close();
+  } catch (const std::exception& error) {  // said as Python says what a destructor cannot raise
+    PyErr_Format(PyExc_RuntimeError, "%s: closing: %s", path_.c_str(), error.what());
+    PyErr_WriteUnraisable(nullptr);
+  }
+}
+
 void OpenRecording::close() {
   const Hdf5Turn turn;
   file_.run([](std::unique_ptr<Recording>& file) { file.reset(); });

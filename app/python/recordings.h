@@ -10,7 +10,7 @@ class OpenRecording {
  public:
   /// @throws Failure
   explicit OpenRecording(const std::string& path);
-  ~OpenRecording() { close(); }
+  ~OpenRecording();
   OpenRecording(const OpenRecording&) = delete;
   OpenRecording& operator=(const OpenRecording&) = delete;
 
