@@ -21,7 +21,7 @@ class ChildProcess {
  public:
   /// @param work returns the child's exit code, or never
   template <class Work>
-  explicit ChildProcess(Work&& work) {
+  explicit ChildProcess(Work work) {
     const pid_t parent = ::getpid();
     id_ = ::fork();
     if (id_ != 0) return;

@@ -315,11 +315,12 @@ def test_a_truncated_file_gives_an_error_or_right_values(tmp_path, share):
     theirs, _ = read_by_h5py(GOLDEN / "classic.h5", "telemetry")
     try:
         with fyd.open(cut) as recording:
-            force = recording.telemetry["force_N"]
+            wholeness, force = recording.info.wholeness, recording.telemetry["force_N"]
     except fyd.Error as error:
         assert "cut.h5" in str(error)
     else:
         assert_same_bits(force, theirs["force_N"][:len(force)])
+        assert wholeness != fyd.Wholeness.whole or len(force) == len(theirs)
 
 
 def test_a_flipped_bit_in_the_telemetry_is_an_error(tmp_path):

@@ -1,4 +1,6 @@
 """Replay, what-if, and the step itself, against what h5py reads of the same recording."""
+import math
+
 import h5py
 import numpy as np
 import pytest
@@ -160,20 +162,46 @@ def test_a_session_by_hand_becomes_ready_and_active():
 
 
 def test_no_command_is_out_of_bounds_whatever_comes_in():
+    """A finger presses, the session is Active, and every other step brings a value that no sensor gives."""
     pipeline = fyd.Pipeline()
-    inputs = fyd.Inputs()
+    inputs = fyd.Inputs(missed_cycles=0)
     hostile = [float("nan"), float("inf"), -float("inf"), 1e308, -1e308]
-    for step in range(500):
-        value = hostile[step % len(hostile)]
-        inputs.now_ns = step * 1_000_000
-        inputs.finger.set(inputs.now_ns, contact=True, x_mm=value, y_mm=value, area_px=value,
-                          reason=fyd.FingerReason.found)
-        inputs.bridge.set(inputs.now_ns, value_mV_per_V=value)
-        inputs.robot_state.set(inputs.now_ns, stiffness_N_per_mm=value, x_mm=value)
-        inputs.accelerations = [fyd.AccelerationSample(taken_ns=inputs.now_ns, x_g=value, y_g=value, z_g=value)]
+    kinds = ["finger", "bridge", "robot", "acceleration"]
+    ticks_at_limit = round(4200 / 90 * pipeline.parameters["control.motor_limit_deg"])
+    active, duties = dict.fromkeys(kinds, 0), set()
+    for step in range(1, 2000):
+        now = inputs.now_ns = step * 1_000_000
+        touching = step > 250
+        if step % 10 == 1:
+            inputs.finger.set(now, contact=touching, x_mm=1.0, y_mm=2.0, area_px=3000.0, area_mm2=150.0,
+                              reason=fyd.FingerReason.found if touching else fyd.FingerReason.no_finger)
+            inputs.ir.set(now, counts=[1680, 1660, 1680] if touching else [1630, 1630, 1630])
+            inputs.bridge.set(now, value_mV_per_V=0.15 if touching else 0.02)
+            inputs.motors.set(now, encoder_counts=(0, 0))
+            inputs.robot_state.set(now, stiffness_N_per_mm=0.6)
+        inputs.accelerations = [fyd.AccelerationSample(taken_ns=now, x_g=0.5 * math.sin(step), y_g=0.0, z_g=0.0)]
+        value = hostile[step // 2 % 5]
+        kind = kinds[step // 10 % 4]
+        wild = step % 2 == 0
+        if wild and kind == "finger":
+            inputs.finger.set(now, contact=True, x_mm=value, y_mm=value, area_px=value, reason=fyd.FingerReason.found)
+        elif wild and kind == "bridge":
+            inputs.bridge.set(now, value_mV_per_V=value)
+        elif wild and kind == "robot":
+            inputs.robot_state.set(now, stiffness_N_per_mm=value, x_mm=value)
+        elif wild:
+            inputs.accelerations = [fyd.AccelerationSample(taken_ns=now, x_g=value, y_g=value, z_g=value)]
+        action = {20: fyd.OperatorAction.target_by_hand, 200: fyd.OperatorAction.arm}.get(step)
+        inputs.commands = [] if action is None else [fyd.OperatorCommand(action=action, value=0.6)]
         out = pipeline.step(inputs)
         assert all(np.isfinite(out.touch_mm)) and np.isfinite(out.telemetry.t_s)
         assert all(abs(duty) <= 100 for duty in out.motors.vibration_duty_percent)
+        assert all(abs(ticks) <= ticks_at_limit for ticks in out.motors.reference_ticks)
+        if wild and out.telemetry.state == fyd.SafetyState.active:
+            active[kind] += 1
+            duties.add(out.motors.vibration_duty_percent)
+    assert min(active.values()) > 100  # of 210 steps each
+    assert len(duties) > 50  # the motors are driven
 
 
 def test_inputs_of_a_wrong_type_or_number_are_named():

@@ -14,17 +14,20 @@ namespace fyd::tests {
 
 namespace {
 
-constexpr int kRefused_ms = widgets::HoldButton::kHold_ms + 200;  // the focus goes to the entry that was refused
-
 struct Moving : Calibrating {
   using Calibrating::Calibrating;
-  void hold(int patience_ms = kPatience_ms) {
+  void hold() {
+    (void)holdUntil([this] { return page->moveButton()->engaged(); });
+  }
+  /// @return whether it came
+  template <class Come>
+  [[nodiscard]] bool holdUntil(Come&& come) {
     QTest::mousePress(page->moveButton(), Qt::LeftButton);
-    const auto engaged = [this] {
+    const auto looks = [&] {
       state(SafetyState::stopped);  // a station that says nothing is silent
-      return page->moveButton()->engaged();
+      return come();
     };
-    (void)QTest::qWaitFor(engaged, patience_ms);
+    return QTest::qWaitFor(looks, kPatience_ms);
   }
   void letGo() { QTest::mouseRelease(page->moveButton(), Qt::LeftButton); }
   /// The motors stand there, and a finger presses that deep.
@@ -127,11 +130,15 @@ class CalibrateMotionTest : public QObject {
     }
     c.state(SafetyState::ready);
     QVERIFY(c.page->moveButton()->isEnabled());
-    for (const char* bad : {"", "nan", "1e308", "200"}) {
+    // A problem stays until the next one: each is waited for in its own words.
+    for (const auto& [bad, told] : {std::pair{"", "type a number"}, std::pair{"nan", "\"nan\" is no number"},
+                                    std::pair{"1e308", "1e308"}, std::pair{"200", "200 is out of range"}}) {
       c.type(0, QLatin1String(bad));
-      c.hold(kRefused_ms);
+      const auto problem = [&c] { return c.page->entries()->problem(); };
+      QVERIFY2(!problem().contains(QLatin1String(told)), qPrintable(problem()));
+      QVERIFY2(c.holdUntil([&, told = told] { return problem().contains(QLatin1String(told)); }),
+               qPrintable(problem()));
       QVERIFY2(c.session->tests.empty(), bad);
-      QVERIFY(!c.page->entries()->problem().isEmpty());
       c.letGo();
     }
     c.click(c.page->moveButton());  // a click is no hold
@@ -152,8 +159,9 @@ class CalibrateMotionTest : public QObject {
     c.page->choose(QStringLiteral("stiffness"));
     c.session->refuses = true;
     c.type(0, QStringLiteral("30"));
-    c.hold(kRefused_ms);
-    QVERIFY2(c.page->hint().contains(QLatin1String("refused by the script")), qPrintable(c.page->hint()));
+    const auto hint_tells = [&c] { return c.page->hint().contains(QLatin1String("refused by the script")); };
+    QVERIFY(!hint_tells());
+    QVERIFY2(c.holdUntil(hint_tells), qPrintable(c.page->hint()));
     c.letGo();
   }
 

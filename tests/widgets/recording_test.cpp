@@ -180,11 +180,14 @@ class RecordingTest : public QObject {
     RecordingFixture gone;
     gone.session->disk_waits = true;
     QTest::mouseClick(gone.form->startButton(), Qt::LeftButton);
-    const std::jthread later([session = gone.session] {
+    std::atomic<bool> written = false;
+    const std::jthread later([&written, session = gone.session] {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      written = true;
       session->disk_waits = false;
     });
     gone.window.reset();
+    QVERIFY(written);
   }
 
   void whatIsSaidOfARecordingGoesWhenItIsClosed() {

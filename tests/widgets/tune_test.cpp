@@ -596,23 +596,30 @@ class TuneTest : public QObject {
     TuneFixture f;
     control::ControlParameters parameters;
     const control::StaticLaw law(parameters);
-    std::vector<pipeline::TelemetrySample> samples;
-    for (int i = 0; i < 12'000; ++i) {
-      pipeline::TelemetrySample sample;
-      sample.now = instantAt(i * 0.001);
-      sample.stretch_measured_deg = control::excitationAngle_deg(i * 0.001, parameters);
-      sample.stiffness_N_per_mm = 1.1 * law.stiffness_N_per_mm(sample.stretch_measured_deg).value;
-      sample.stiffness_observable = true;
-      samples.push_back(sample);
-    }
-    f.page->study().listen(samples);
-    QVERIFY(f.page->study().heard() > 1000 && f.page->study().heard() < 1300);
+    const auto second = [&](int number) {
+      std::vector<pipeline::TelemetrySample> samples(1000);
+      const double scale = number < 20 ? 1.4 : 1.1;  // another cloth, more than a minute before the end
+      for (int i = 0; i < 1000; ++i) {
+        pipeline::TelemetrySample& sample = samples[static_cast<std::size_t>(i)];
+        const double t_s = number + i * 0.001;
+        sample.now = instantAt(t_s);
+        sample.stretch_measured_deg = control::excitationAngle_deg(t_s, parameters);
+        sample.stiffness_N_per_mm = scale * law.stiffness_N_per_mm(sample.stretch_measured_deg).value;
+        sample.stiffness_observable = true;
+      }
+      return samples;
+    };
+    for (int i = 0; i < 80; ++i) f.page->study().listen(second(i));
+    const auto heard = static_cast<double>(f.page->study().heard());
+    // Samples 10 to 11 ms apart.
+    QVERIFY2(heard > 5450 && heard <= 6001, qPrintable(QString::number(heard)));
     f.page->tabs()->setCurrentWidget(f.page->proposal());
     f.page->proposal()->sources()->setCurrentIndex(1);
     click(f.page->proposal()->startButton());
     WAIT_FOR(f.page->proposal()->hasProposal());
     QVERIFY(std::abs(f.page->study().proposal()->cloth.scale - 1.1) < 0.02);
-    f.page->study().listen(std::span(samples).first(10));  // time goes back: another session
+    const auto first = second(0);
+    f.page->study().listen(std::span(first).first(10));  // time goes back: another session
     QCOMPARE(f.page->study().heard(), std::size_t{1});
     // Also one that begins anew with a calibration, whose time goes on.
     f.window->feed().restart();

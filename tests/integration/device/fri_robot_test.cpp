@@ -4,7 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <fstream>
 #include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "tests/wait.h"
 
 namespace fyd::device {
 namespace {
@@ -17,6 +24,20 @@ using ::testing::HasSubstr;
 constexpr std::uint32_t kImpedance = 0x3100;  // frame, Cartesian stiffness and damping
 
 protocol::Endpoint any(const char* host = "127.0.0.1:0") { return protocol::parseEndpoint(host).value(); }
+
+/// What waits in the receive queue of the socket that is bound there, as the kernel counts it; nothing: there is none.
+std::optional<std::size_t> waiting_bytes(const protocol::Endpoint& at) {
+  std::uint32_t address = 0;  // the kernel prints it as it is in the memory
+  std::memcpy(&address, at.address.data(), sizeof address);
+  const std::string local = fmt::format("{:08X}:{:04X}", address, at.port);
+  std::ifstream table("/proc/net/udp");
+  std::string slot, found, remote, state, queues;
+  for (std::string line; std::getline(table, line);) {
+    std::istringstream(line) >> slot >> found >> remote >> state >> queues;
+    if (found == local) return std::stoul(queues.substr(queues.find(':') + 1), nullptr, 16);
+  }
+  return std::nullopt;
+}
 
 class Fri : public ::testing::Test {
  protected:
@@ -55,13 +76,22 @@ class Fri : public ::testing::Test {
     const auto result = cycle(target);
     return result ? std::string("follows") : result.error().text();
   }
-  void send() {
-    ASSERT_EQ(krc.send(protocol::encodeFriMeasurement(measurement), robot->local()), protocol::SendOutcome::sent);
-    // Loopback delivers before send returns; nothing to wait for.
+  void send() { deliver(krc, protocol::encodeFriMeasurement(measurement)); }
+  /// Returns once it is in the robot's queue: on a busy machine loopback delivers after send() has returned.
+  void deliver(protocol::UdpSocket& from, std::span<const std::uint8_t> bytes) {
+    const auto before = waiting_bytes(robot->local());
+    ASSERT_TRUE(before) << "/proc/net/udp does not name the robot's socket";
+    ASSERT_EQ(from.send(bytes, robot->local()), protocol::SendOutcome::sent);
+    ASSERT_TRUE(comesTrue("the datagram in the robot's queue",
+                          [&] { return waiting_bytes(robot->local()).value_or(0) > *before; }));
   }
+  /// The robot's next answer. One that it has sent is waited for.
   bool take() {
     std::array<std::uint8_t, 1000> buffer{};
-    const auto received = krc.receive(buffer, Duration::zero());
+    const bool due = robot->counters().answers > taken;
+    const auto received = krc.receive(buffer, due ? Duration(kPatience) : Duration::zero());
+    EXPECT_EQ(received.has_value(), due);
+    if (received) ++taken;
     return received && decodeFriCommand({buffer.data(), received->size}, command) == protocol::FriRefusal::none;
   }
 
@@ -70,6 +100,7 @@ class Fri : public ::testing::Test {
   protocol::FriMeasurement measurement;
   protocol::FriCommand command;
   bool answered = false;
+  std::uint64_t taken = 0;  ///< answers
   Instant now = instantAt(100.0);
 };
 
@@ -211,8 +242,8 @@ TEST_F(Fri, OldRepeatedForeignAndDamagedMeasurementsAreCountedAndNotAnswered) {
 
   auto bytes = protocol::encodeFriMeasurement(measurement);
   bytes[6] ^= 0xFF;
-  static_cast<void>(krc.send(bytes, robot->local()));
-  static_cast<void>(krc.send(std::span(bytes).first(915), robot->local()));
+  deliver(krc, bytes);
+  deliver(krc, std::span(bytes).first(915));
   static_cast<void>(robot->exchange({}, now));
   EXPECT_FALSE(take());
   EXPECT_EQ(robot->counters().refused[static_cast<std::size_t>(protocol::FriRefusal::wrong_id)], 1U);
@@ -220,7 +251,7 @@ TEST_F(Fri, OldRepeatedForeignAndDamagedMeasurementsAreCountedAndNotAnswered) {
 
   auto other = protocol::UdpSocket::open(any("127.0.0.2:0")).value();
   ++measurement.header.sequence;
-  static_cast<void>(other.send(protocol::encodeFriMeasurement(measurement), robot->local()));
+  deliver(other, protocol::encodeFriMeasurement(measurement));
   static_cast<void>(robot->exchange({}, now));
   EXPECT_EQ(robot->counters().wrong_peer, 1U);
   EXPECT_EQ(robot->counters().measurements, 1U);

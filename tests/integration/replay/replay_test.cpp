@@ -290,12 +290,22 @@ TEST_F(Replay, AClosedLoopWithNothingChangedGivesTheRecording) {
   EXPECT_FALSE(slow->identical);
   EXPECT_GT(apart_deg, 1.0);
   EXPECT_GT(apart_N, 0.01) << "the cloth answers";
+  // With the recorded inputs the encoders say what they said, whatever the loop now asks for.
+  int measured = 0;
+  double asked_apart_deg = 0.0;
   const auto open_loop =
       replay::replay(*recording, {.settings = {"control.ki=0.01"}}, [&](const auto& replayed, const auto& recorded) {
         EXPECT_EQ(std::isnan(replayed.stretch_measured_deg), std::isnan(recorded.stretch_measured_deg));
+        if (std::isnan(recorded.stretch_measured_deg)) return;
+        ++measured;
+        EXPECT_EQ(replayed.stretch_measured_deg, recorded.stretch_measured_deg);
+        const double asked = std::abs(replayed.stretch_reference_deg - recorded.stretch_reference_deg);
+        if (std::isfinite(asked)) asked_apart_deg = std::max(asked_apart_deg, asked);
       });
   ASSERT_TRUE(open_loop);
   EXPECT_FALSE(open_loop->cloth);
+  EXPECT_GT(measured, 15'000);
+  EXPECT_GT(asked_apart_deg, 1.0);
 }
 
 TEST_F(Replay, AClosedLoopIsRefusedWhenTheRecordingDoesNotIdentifyTheCloth) {

@@ -15,10 +15,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/protocol/udp_socket.h"
 #include "core/sim/network/network_emulator.h"
 #include "core/sim/network/network_relay.h"
 #include "core/teleop/prediction/predictor_choice.h"
+#include "tests/integration/sim/delivered_socket.h"
 #include "tests/wait.h"
 
 namespace fyd::sim {
@@ -33,11 +33,10 @@ class LateSocket {
       : emulator_([&] {
           network.seed = seed;
           return network;
-        }()),
-        socket_(protocol::UdpSocket::open(protocol::parseEndpoint("127.0.0.1:0").value()).value()) {}
+        }()) {}
 
   [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
-  void send(std::span<const std::uint8_t> bytes, const protocol::Endpoint& to, double t_s) {
+  void send(std::span<const std::uint8_t> bytes, LateSocket& to, double t_s) {
     if (!bytes.empty()) {
       ++sent;
       for (const Instant at : emulator_.pass(bytes.size(), instantAt(t_s)).out) {
@@ -45,33 +44,32 @@ class LateSocket {
       }
     }
     for (; !under_way_.empty() && under_way_.begin()->first <= t_s; under_way_.erase(under_way_.begin())) {
-      EXPECT_EQ(socket_.send(under_way_.begin()->second, to), protocol::SendOutcome::sent);
+      socket_.send(under_way_.begin()->second, to.socket_);
     }
   }
   template <class Take>
   void receive(Take&& take) {
-    while (const auto got = socket_.receive(buffer_, Duration::zero())) {
+    socket_.receive([&](std::span<const std::uint8_t> bytes, const protocol::Endpoint&) {
       ++received;
-      take(std::span<const std::uint8_t>(buffer_).first(got->size));
-    }
+      take(bytes);
+    });
   }
 
-  [[nodiscard]] protocol::UdpSocket& socket() { return socket_; }
+  [[nodiscard]] protocol::UdpSocket& socket() { return socket_.socket(); }
 
   int sent = 0, received = 0;
 
  private:
   NetworkEmulator emulator_;
-  protocol::UdpSocket socket_;
+  DeliveredSocket socket_;
   std::multimap<double, std::vector<std::uint8_t>> under_way_;
-  std::array<std::uint8_t, 4096> buffer_{};
 };
 
 struct Player {
   Player(const FencingSettings& settings, const NetworkSettings& network, std::uint64_t seed)
       : end(settings), socket(network, seed) {}
 
-  scene::SwordTouch step(const DeviceState& device, const protocol::Endpoint& other, double now_s) {
+  scene::SwordTouch step(const DeviceState& device, LateSocket& other, double now_s) {
     socket.receive([&](auto bytes) { end.receive(bytes, now_s); });
     const scene::SwordTouch touch = end.step(device, now_s);
     socket.send(end.datagram(now_s), other, now_s);
@@ -209,8 +207,7 @@ Figures play(const Game& game, double seconds) {
   for (int i = 0; i < static_cast<int>((seconds + 3.0) / kFencingTick_s); ++i) {
     const double t_s = kFencingTick_s * i, now_s = 1000.0 + t_s;
     const DeviceState a = handAt(t_s, game.rate_Hz, true), b = handAt(t_s, game.rate_Hz, false);
-    const scene::SwordTouch first = one.step(a, other.socket.local(), now_s),
-                            second = other.step(b, one.socket.local(), now_s);
+    const scene::SwordTouch first = one.step(a, other.socket, now_s), second = other.step(b, one.socket, now_s);
     const scene::Blade p = bladeOf(game.settings, a), q = bladeOf(game.settings, b);
     const auto true_first =
         scene::stepSwords(game.settings.swords, here, p, asTheOtherSees(game.settings, q), kFencingTick_s);
@@ -312,8 +309,8 @@ TEST(Fencing, TwoHandsThatPressFeelEachOtherAsLongAsThePlayersAreLinked) {
       constexpr int kTicks = 20'000, kLast = 5000;
       for (int i = 0; i < kTicks; ++i) {
         const double now_s = 1000.0 + kFencingTick_s * i;
-        const auto first = one.step(a.device(), other.socket.local(), now_s);
-        const auto second = other.step(b.device(), one.socket.local(), now_s);
+        const auto first = one.step(a.device(), other.socket, now_s);
+        const auto second = other.step(b.device(), one.socket, now_s);
         const double pull_N = i < 2000 ? 0.0 : std::min(1.0, 1e-3 * (i - 2000));
         a.step(pull_N, first.force_N.y);
         b.step(pull_N, second.force_N.y);
@@ -344,8 +341,8 @@ TEST(Fencing, WhoIsNotLinkedOrMeasuresNothingFeelsNothing) {
   scene::SwordTouch first, second;
   const auto run = [&](int milliseconds, bool other_talks = true) {
     for (int i = 0; i < milliseconds; ++i, now_s += kFencingTick_s) {
-      first = one.step(a.device(), other.socket.local(), now_s);
-      if (other_talks) second = other.step(b.device(), one.socket.local(), now_s);
+      first = one.step(a.device(), other.socket, now_s);
+      if (other_talks) second = other.step(b.device(), one.socket, now_s);
     }
   };
   a.y_mm = b.y_mm = 2.0;  // across each other, before anybody is there

@@ -11,11 +11,11 @@
 #include "core/device/robot/touch_reference.h"
 #include "core/protocol/link/link_robot_end.h"
 #include "core/protocol/link/link_touchpad_end.h"
-#include "core/protocol/udp_socket.h"
 #include "core/sim/network/network_emulator.h"
 #include "core/sim/robot/robot_arm.h"
 #include "core/sim/teleop/desktop_arm.h"
 #include "core/sim/teleop/teleop_end.h"
+#include "tests/integration/sim/delivered_socket.h"
 
 namespace fyd::sim {
 namespace {
@@ -50,13 +50,11 @@ std::vector<Weather> weathers() {
 class BadSocket {
  public:
   BadSocket(const Weather& weather, std::uint64_t seed)
-      : weather_(weather),
-        emulator_([&] {
+      : weather_(weather), emulator_([&] {
           NetworkSettings out = weather.network;
           out.seed = seed;
           return out;
-        }()),
-        socket_(protocol::UdpSocket::open(protocol::parseEndpoint("127.0.0.1:0").value()).value()) {}
+        }()) {}
 
   [[nodiscard]] const protocol::Endpoint& local() const { return socket_.local(); }
   void send(std::span<const std::uint8_t> bytes, const protocol::Endpoint& to, double t_s) {
@@ -68,25 +66,23 @@ class BadSocket {
       under_way_.emplace(toSeconds(at.time_since_epoch()), std::pair(to, std::vector(bytes.begin(), bytes.end())));
     }
   }
-  void leave(double t_s) {
+  void leave(double t_s, BadSocket& other) {
     for (; !under_way_.empty() && under_way_.begin()->first <= t_s; under_way_.erase(under_way_.begin())) {
       const auto& [to, bytes] = under_way_.begin()->second;
-      EXPECT_EQ(socket_.send(bytes, to), protocol::SendOutcome::sent);
+      EXPECT_EQ(to, other.local());
+      socket_.send(bytes, other.socket_);
     }
   }
   template <class Take>
   void receive(Take&& take) {
-    while (const auto got = socket_.receive(buffer_, Duration::zero())) {
-      take(std::span<const std::uint8_t>(buffer_).first(got->size), got->from);
-    }
+    socket_.receive(take);
   }
 
  private:
   Weather weather_;
   NetworkEmulator emulator_;
-  protocol::UdpSocket socket_;
+  DeliveredSocket socket_;
   std::multimap<double, std::pair<protocol::Endpoint, std::vector<std::uint8_t>>> under_way_;
-  std::array<std::uint8_t, 4096> buffer_{};
   int sent_ = 0;
 };
 
@@ -124,8 +120,8 @@ std::vector<Vec3> robotLed(const Weather& weather, const device::MotionLimits& l
     there.receive([&](protocol::Bytes bytes, const protocol::Endpoint& from) {
       reference.take(end.handle(bytes, from, robots), end.counters(), robot.commanded_mm(), robots);
     });
-    here.leave(t_s);
-    there.leave(t_s);
+    here.leave(t_s, there);
+    there.leave(t_s, here);
     told.push_back(robot.commanded_mm());
   }
   return told;
@@ -194,7 +190,7 @@ TEST(PredictionOverSockets, TwoLinkedDevicesStayFiniteAndFollowAgainWithAndWitho
       bool linked_at_end = false;
       for (int i = 0; i < 9000; ++i) {
         const double t_s = kTick_s * i, far_s = t_s * (1.0 + weather.drift);
-        const auto step = [&](LinkedDevice& device, const LinkedDevice& other, double now_s) {
+        const auto step = [&](LinkedDevice& device, LinkedDevice& other, double now_s) {
           device.socket.receive([&](std::span<const std::uint8_t> bytes, const protocol::Endpoint&) {
             device.end.receive(bytes, 100.0 + now_s);
           });
@@ -206,7 +202,7 @@ TEST(PredictionOverSockets, TwoLinkedDevicesStayFiniteAndFollowAgainWithAndWitho
           EXPECT_TRUE(force.finite()) << name << " at " << t_s;
           for (const double each : {force.x, force.y, force.z}) EXPECT_LE(std::abs(each), 6.4) << name << " at " << t_s;
           device.socket.send(device.end.datagram(100.0 + now_s), other.socket.local(), t_s);
-          device.socket.leave(t_s);
+          device.socket.leave(t_s, other.socket);
           return force;
         };
         const Vec3 felt = step(hand, far, t_s), drive = step(far, hand, far_s);

@@ -6,22 +6,15 @@
 
 #include <gtest/gtest.h>
 
-#include "core/protocol/udp_socket.h"
 #include "core/sim/teleop/desktop_arm.h"
 #include "core/teleop/coupling/coupling_choice.h"
 #include "core/teleop/prediction/predictor_choice.h"
+#include "tests/integration/sim/delivered_socket.h"
 
 namespace fyd::sim {
 namespace {
 
 using Phase = TeleopEnd::Phase;
-
-protocol::Endpoint loopback(std::uint16_t port) {
-  protocol::Endpoint out;
-  out.address = {127, 0, 0, 1};
-  out.port = port;
-  return out;
-}
 
 /// One end with a socket of its own and a device that stands where it is told to.
 struct Peer {
@@ -31,35 +24,33 @@ struct Peer {
              .coupling_settings = {},
              .predictor = teleop::PredictorChoice::order0,
              .smooth_s = 0.0,
-             .deadband = deadband}),
-        socket(protocol::UdpSocket::open(loopback(0)).value()) {}
+             .deadband = deadband}) {}
 
   /// @param talks false: its cable is out
-  void step(double now_s, const protocol::Endpoint& other, bool talks = true) {
-    std::array<std::uint8_t, 256> buffer{};
-    while (const auto got = socket.receive(buffer, Duration::zero())) {
-      if (talks) end.receive(std::span(buffer).first(got->size), now_s);
-    }
+  void step(double now_s, Peer& other, bool talks = true) {
+    socket.receive([&](std::span<const std::uint8_t> bytes, const protocol::Endpoint&) {
+      if (talks) end.receive(bytes, now_s);
+    });
     force_N = end.step(device, now_s);
     const auto bytes = end.datagram(now_s);
     if (bytes.empty()) return;
     ++sent;
-    if (talks) static_cast<void>(socket.send(bytes, other));
+    if (talks) socket.send(bytes, other.socket);
   }
 
   TeleopEnd end;
-  protocol::UdpSocket socket;
+  DeliveredSocket socket;
   DeviceState device;
   Vec3 force_N;
   int sent = 0;
 };
 
 struct TeleopPair {
-  /// Virtual milliseconds; between them real time for the kernel to deliver.
+  /// Virtual milliseconds: what one sends the other finds at its next step.
   void run(int milliseconds, bool hand_talks = true, bool far_talks = true) {
     for (int i = 0; i < milliseconds; ++i, now_s += 0.001) {
-      hand.step(now_s, far.socket.local(), hand_talks);
-      far.step(now_s, hand.socket.local(), far_talks);
+      hand.step(now_s, far, hand_talks);
+      far.step(now_s, hand, far_talks);
     }
   }
   explicit TeleopPair(double deadband = 0.0) : hand(true, deadband), far(false, deadband) {}

@@ -17,7 +17,7 @@ constexpr const char* kCamera = "Camera sees";
 struct Cell {
   TouchpadFault fault;
   const char* missing;  ///< line of the readiness list that must go; nullptr: nothing that is needed goes
-  const char* words;    ///< that the part's problem must contain meanwhile
+  const char* words;    ///< that the part's problem must contain meanwhile; nullptr: none need be told
   double seconds = 1.2;
 };
 
@@ -25,10 +25,10 @@ const std::vector<Cell> kTouchpadCells = {
     {TouchpadFault::late_reply, kMotors, "answer"},
     {TouchpadFault::silence, kMotors, "answer"},
     {TouchpadFault::stuck_sensor, nullptr, "IR sensor 1 is stuck", 2.5},
-    {TouchpadFault::brown_out, kMotors, ""},
+    {TouchpadFault::brown_out, kMotors, "answer"},
     {TouchpadFault::encoder_jump, kMotors, "encoder 1 jumped"},
-    {TouchpadFault::camera_freeze, nullptr, ""},
-    {TouchpadFault::garbage, kMotors, ""},
+    {TouchpadFault::camera_freeze, nullptr, nullptr},
+    {TouchpadFault::garbage, kMotors, "answer"},
     {TouchpadFault::frozen_values, kDistance, "the distance sensors repeat the codes", 2.0},
     {TouchpadFault::bridge_end, kForce, nullptr},
     {TouchpadFault::hot_reading, kDistance, "motor temperatures 3276.7"},
@@ -36,12 +36,12 @@ const std::vector<Cell> kTouchpadCells = {
 };
 const std::vector<Cell> kCameraCells = {
     {TouchpadFault::late_reply, kCamera, nullptr},
-    {TouchpadFault::silence, kCamera, ""},
-    {TouchpadFault::stuck_sensor, nullptr, ""},
-    {TouchpadFault::brown_out, kCamera, ""},
-    {TouchpadFault::encoder_jump, nullptr, ""},
+    {TouchpadFault::silence, kCamera, "gives no picture any more", 2.0},
+    {TouchpadFault::stuck_sensor, nullptr, nullptr},
+    {TouchpadFault::brown_out, kCamera, "gives no picture any more"},
+    {TouchpadFault::encoder_jump, nullptr, nullptr},
     {TouchpadFault::camera_freeze, kCamera, "the picture is frozen"},
-    {TouchpadFault::garbage, kCamera, ""},
+    {TouchpadFault::garbage, kCamera, "gives no picture any more"},
     {TouchpadFault::camera_flat, kCamera, nullptr},
     {TouchpadFault::camera_damage, kCamera, "sends damaged pictures", 3.0},
     {TouchpadFault::camera_cut, kCamera, "sends damaged pictures", 3.0},
@@ -52,11 +52,11 @@ INSTANTIATE_TEST_SUITE_P(Backends, EveryBackend,
                          testing::Values(Backend::modbus_tcp, Backend::modbus_rtu, Backend::qbmove, Backend::mjpeg),
                          [](const auto& backend) { return kBackendNames[static_cast<std::size_t>(backend.param)]; });
 
-/// Begins the fault and waits for what it does. A jump is told from a fast motor, and a stuck sensor from a silent one,
-/// only by a device that answers in time: what a standstill of the machine hides of these two is begun again.
+/// Begins the fault and waits for what it does. A jump is told from a fast motor only by a device that answers in time:
+/// one that a standstill of the machine hides is begun again.
 testing::AssertionResult begins(DeviceRig& rig, const Cell& cell, std::string_view what,
                                 const std::function<bool()>& holds) {
-  const bool by_its_time = cell.fault == TouchpadFault::encoder_jump || cell.fault == TouchpadFault::stuck_sensor;
+  const bool by_its_time = cell.fault == TouchpadFault::encoder_jump;
   const Duration patience = by_its_time ? fromSeconds(cell.seconds + 3.0) : Duration(kPatience);
   testing::AssertionResult came = testing::AssertionFailure();
   for (int attempt = 0; !came && attempt < (by_its_time ? 10 : 1); ++attempt) {
@@ -82,6 +82,31 @@ void expectHeld(DeviceRig& rig, const Cell& cell) {
       << "missing " << missing << ", named " << named;
 }
 
+/// The fault is named, if it is to be, and the session stays Active to its end. What a standstill of the machine holds,
+/// or hides, is tried again.
+void expectHarmless(DeviceRig& rig, const Cell& cell) {
+  bool named = false;
+  bool active = false;
+  for (int attempt = 0; attempt < 10 && !(named && active); ++attempt) {
+    if (attempt > 0) {
+      ASSERT_TRUE(rig.armed());
+    }
+    const std::uint64_t before = rig.samples;
+    rig.active_samples = 0;
+    named = cell.words == nullptr;
+    rig.inject(cell.fault, cell.seconds);
+    const Instant end = Clock::now() + fromSeconds(cell.seconds);
+    ASSERT_TRUE(rig.wait("the end of the fault", [&] {
+      named = named || rig.told(cell.words);
+      return Clock::now() > end;
+    }));
+    ASSERT_TRUE(rig.pass(100));
+    active = rig.active_samples == static_cast<int>(rig.samples - before);
+  }
+  EXPECT_TRUE(named) << rig.part().problem.text();
+  EXPECT_TRUE(active) << "held after " << rig.active_samples << " steps";
+}
+
 TEST_P(EveryBackend, EveryFaultHoldsIsNamedAndNothingReArmsAfterIt) {
   DeviceRig rig(GetParam());
   ASSERT_TRUE(rig.well());
@@ -92,12 +117,7 @@ TEST_P(EveryBackend, EveryFaultHoldsIsNamedAndNothingReArmsAfterIt) {
     SCOPED_TRACE(name);
     ASSERT_TRUE(rig.armed());
     if (cell.missing == nullptr) {  // the step does without it
-      if (*cell.words == '\0') {
-        rig.inject(cell.fault, cell.seconds);
-      } else {
-        EXPECT_TRUE(begins(rig, cell, cell.words, [&] { return rig.told(cell.words); }));
-        EXPECT_TRUE(rig.wait("the distance sensors' line", [&] { return rig.lineOk(kDistance); }));
-      }
+      expectHarmless(rig, cell);
       EXPECT_TRUE(rig.well());
       continue;
     }
@@ -116,14 +136,16 @@ TEST_P(EveryBackend, EveryFaultHoldsIsNamedAndNothingReArmsAfterIt) {
 
 TEST_P(EveryBackend, ACableThatComesOutIsShownAndItsReturnDoesNotArm) {
   DeviceRig rig(GetParam());
-  double shown_s = std::numeric_limits<double>::infinity();
-  // A machine that stands still shows it late: once in three times it must be in time.
-  for (int pull = 0; pull < 3 && !(shown_s < 3.0); ++pull) {
+  // In steps of the loop, which a machine that stands still does not make. One whose drivers stand still beside the
+  // loop shows it late: once in three times it must be in time.
+  constexpr std::uint64_t kInTime = 500;
+  std::uint64_t shown_steps = std::numeric_limits<std::uint64_t>::max();
+  for (int pull = 0; pull < 3 && shown_steps >= kInTime; ++pull) {
     ASSERT_TRUE(rig.armed());
-    const Instant out = Clock::now();
+    const std::uint64_t out = rig.samples;
     rig.unplug();
     ASSERT_TRUE(rig.wait("the part to be shown as gone", [&] { return !rig.part().ok; }));
-    shown_s = std::min(shown_s, toSeconds(Clock::now() - out));
+    shown_steps = std::min(shown_steps, rig.samples - out);
     EXPECT_TRUE(rig.wait("the end of Active", [&] { return rig.state != SafetyState::active; }));
     EXPECT_NE(rig.part().problem.text(), "");
     rig.startPeer();
@@ -135,8 +157,8 @@ TEST_P(EveryBackend, ACableThatComesOutIsShownAndItsReturnDoesNotArm) {
     EXPECT_TRUE(rig.well());
     EXPECT_TRUE(rig.armed()) << "by the operator's act";
   }
-  RecordProperty("shown_ms", static_cast<int>(shown_s * 1e3));
-  EXPECT_LT(shown_s, 3.0) << "1 s where nothing else runs";
+  RecordProperty("shown_steps", static_cast<int>(shown_steps));
+  EXPECT_LT(shown_steps, kInTime);
 }
 
 class EveryMotorBoard : public testing::TestWithParam<Backend> {};

@@ -66,7 +66,7 @@ class DeviceRig {
     options.profile.device.stuck_sensor_s = 1.0;
     options.profile.device.serial_by_id = by_id_;
     choose(options);
-    station = std::move(*Station::open(options));
+    station = std::move(Station::open(options).value());
     station->start();
   }
   ~DeviceRig() {

@@ -58,6 +58,7 @@ class Hostile {
 
 template <class T>
 bool sameBytes(const T& a, const T& b) {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the bits are what is asked for; there is no padding
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
@@ -119,6 +120,7 @@ TEST(GestureSteps, OfABallGiveNumbersWhateverComesIn) {
 }
 
 TEST(GestureSteps, OfPalpationGiveNumbersWhateverComesIn) {
+  int touching = 0, held_back = 0;
   for (unsigned seed = 0; seed < 2000; ++seed) {
     Hostile hostile(seed);
     const auto parameters = hostile.parameters<PalpationParameters>();
@@ -131,8 +133,12 @@ TEST(GestureSteps, OfPalpationGiveNumbersWhateverComesIn) {
           << seed << " " << i;
       ASSERT_LE(length(force.normal_N), parameters.most_force_N * (1.0 + 1e-9)) << seed << " " << i;
       ASSERT_LE(length(force.tangential_N), parameters.most_tangential_N * (1.0 + 1e-9)) << seed << " " << i;
+      touching += length(force.normal_N) > 0.0;
+      held_back += length(force.tangential_N) > 0.0;
     }
   }
+  EXPECT_GT(touching, 1000);
+  EXPECT_GT(held_back, 500);
 }
 
 struct All {

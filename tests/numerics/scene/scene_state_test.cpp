@@ -108,17 +108,23 @@ TEST(SceneState, WhatCannotBeIsRefused) {
     for (int step = 0; step < 500; ++step) scene.step(hand.next(), 1e-3 * step);
     const std::string state = saved(scene);
     std::mt19937 random(11);
-    for (int i = 0; i < 60; ++i) {
+    int refused = 0, run = 0;
+    for (int i = 0; i < 200; ++i) {
       std::string wrong = state;
       for (int k = 0; k < 4; ++k) wrong[random() % wrong.size()] = static_cast<char>(random());
       FeltScene other = felt(each.scene);
       try {
         restore(other, wrong);
       } catch (const std::exception&) {
+        ++refused;
         continue;
       }
-      for (int step = 0; step < 20; ++step) other.step(hand.next(), 1.0 + 1e-3 * step);  // does not crash
+      ++run;
+      for (int step = 0; step < 20; ++step) other.step(hand.next(), 1.0 + 1e-3 * step);
+      EXPECT_TRUE(other.touch().force_N.finite()) << each.name << ", state " << i;
     }
+    EXPECT_GT(refused, 10) << each.name;
+    EXPECT_GT(run, 100) << each.name;
   }
 }
 

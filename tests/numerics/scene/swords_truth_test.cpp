@@ -297,7 +297,7 @@ TEST(SwordsTruth, TheForceNeverJumps) {
     const Loop b = loop(i % 4 < 2 ? 1.3 : 0.3, {});
     SwordState state;
     Vec3 before = stepSwords(parameters, state, a.at(0.0), b.at(0.0), 1e-4).force_N;
-    for (int k = 0; k < kSteps; ++k) {
+    for (std::size_t k = 0; k < kSteps; ++k) {
       const bool was = state.crossed;
       const SwordTouch now =
           stepSwords(parameters, state, a.at(double(k + 1) / kSteps), b.at(double(k + 1) / kSteps), 1e-4);
@@ -306,7 +306,8 @@ TEST(SwordsTruth, TheForceNeverJumps) {
       touching += now.touching;
       slid += was && !now.crossed && state.hold < 1.0;
     }
-    for (int k = 1; k + 1 < kSteps; ++k) worst_N = std::max(worst_N, by[k] - 2.0 * std::max(by[k - 1], by[k + 1]));
+    for (std::size_t k = 1; k + 1 < kSteps; ++k)
+      worst_N = std::max(worst_N, by[k] - 2.0 * std::max(by[k - 1], by[k + 1]));
   }
   std::printf("%d steps in touch, %d slides over an end: largest jump %.3f N\n", touching, slid, worst_N);
   EXPECT_GT(touching, 100'000);

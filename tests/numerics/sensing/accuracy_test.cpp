@@ -39,40 +39,63 @@ TEST(FingerAccuracy, HoldsOverTwoThousandLabelledFrames) {
   EXPECT_GT(cut, 100);  // the pictures do contain fingers at the edge
 }
 
-TEST(IndentationAccuracy, HalvesTheThesisErrorOverTheWholeCloth) {
-  double squares[2] = {0, 0};
-  int samples[2] = {0, 0};
+struct Presses {
+  sim::ClothKind cloth;
+  double most_x_mm, most_y_mm, deep_mm;
+  bool with_force;
+};
+// As far as it is solved (resources/cloths): the estimator knows nothing of how it was made.
+constexpr Presses kSolved{sim::ClothKind::membrane, 41.5, 27.0, 7.5, true};
+// Made with the estimator's own shape.
+constexpr Presses kByTheFormula{sim::ClothKind::ideal, 43.0, 28.0, 8.0, false};
+
+/// Root mean square error over the whole cloth, from 0.1 s after each touch.
+double error_mm(const Presses& presses, IndentationMode mode) {
+  double squares = 0.0;
+  int samples = 0, unavailable = 0;
   std::uint64_t seed = 1;
-  for (const double x : stepsTo(-43, 43.1, 10.75)) {
-    for (const double y : stepsTo(-28, 28.1, 14)) {
-      for (const double depth : {3.0, 8.0}) {
-        ++seed;
-        for (const auto mode : {IndentationMode::membrane, IndentationMode::thesis}) {
-          bench::PressedClothOptions o;
-          o.x_mm = x;
-          o.y_mm = y;
-          o.depth_mm = depth;
-          o.seed = seed;
-          bench::PressedCloth cloth(o);
-          IndentationParameters p;
-          p.mode = mode;
-          IndentationEstimator estimator(p);
-          for (int i = 0; i < 1500; ++i) {
-            cloth.step();
-            const IndentationEstimate e = estimator.step(cloth.now, cloth.ir, cloth.finger);
-            if (cloth.sinceTouch_s() < 0.1) continue;
-            ASSERT_TRUE(e.available);
-            squares[static_cast<int>(mode)] += std::pow(e.indentation_mm - cloth.depth_mm, 2);
-            ++samples[static_cast<int>(mode)];
-          }
+  for (const double x : stepsTo(-presses.most_x_mm, presses.most_x_mm, presses.most_x_mm / 4.0)) {
+    for (const double y : stepsTo(-presses.most_y_mm, presses.most_y_mm, presses.most_y_mm / 2.0)) {
+      for (const double depth : {3.0, presses.deep_mm}) {
+        bench::PressedClothOptions o;
+        o.x_mm = x;
+        o.y_mm = y;
+        o.depth_mm = depth;
+        o.cloth = presses.cloth;
+        o.seed = ++seed;
+        bench::PressedCloth cloth(o);
+        IndentationParameters p;
+        p.mode = mode;
+        IndentationEstimator estimator(p);
+        for (int i = 0; i < 1500; ++i) {
+          cloth.step();
+          const Timed<double> force = presses.with_force ? cloth.force_N : Timed<double>{};
+          const IndentationEstimate e = estimator.step(cloth.now, cloth.ir, cloth.finger, force);
+          if (cloth.sinceTouch_s() < 0.1) continue;
+          unavailable += e.available ? 0 : 1;
+          squares += std::pow(e.indentation_mm - cloth.depth_mm, 2);
+          ++samples;
         }
       }
     }
   }
-  const double membrane = std::sqrt(squares[0] / samples[0]);
-  const double thesis = std::sqrt(squares[1] / samples[1]);
+  EXPECT_GT(samples, 100'000);
+  EXPECT_EQ(unavailable, 0);
+  return std::sqrt(squares / samples);
+}
+
+TEST(IndentationAccuracy, HalvesTheThesisErrorOverTheWholeCloth) {
+  const double ours = error_mm(kSolved, IndentationParameters{}.mode);
+  const double thesis = error_mm(kSolved, IndentationMode::thesis);
+  EXPECT_LE(ours, 0.5 * thesis) << ours << " mm against " << thesis << " mm";
+  EXPECT_LE(ours, 0.75);  // 1 mm is promised
+}
+
+TEST(IndentationAccuracy, TheFilterAddsLittleOnAClothThatObeysTheFormula) {
+  const double membrane = error_mm(kByTheFormula, IndentationMode::membrane);
+  const double thesis = error_mm(kByTheFormula, IndentationMode::thesis);
   EXPECT_LE(membrane, 0.5 * thesis) << membrane << " mm against " << thesis << " mm";
-  EXPECT_LE(membrane, 1.0);
+  EXPECT_LE(membrane, 0.85);
 }
 
 }  // namespace

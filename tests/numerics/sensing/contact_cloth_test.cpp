@@ -70,8 +70,8 @@ TEST(ContactCloth, UnevenTensionAndFreeEdgesAgreeWithRelaxation) {
 
 struct Press {
   std::string name;
-  double x, y, depth, force, area, contact_x, contact_y;
-  std::array<double, 3> drops;
+  double x = 0.0, y = 0.0, depth = 0.0, force = 0.0, area = 0.0, contact_x = 0.0, contact_y = 0.0;
+  std::array<double, 3> drops{};
 };
 
 std::vector<Press> presses(const std::string& name) {

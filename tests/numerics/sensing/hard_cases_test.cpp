@@ -313,8 +313,11 @@ TEST(HardCases, TheDetectorSurvivesAnyPicture) {
     p.roi_height_px = 16 + static_cast<int>(random() % 400);
     p.stride_px = 1 + static_cast<int>(random() % 8);
     detector.configure(p);
-    const FingerDetection found = detector.detect(
-        {.data = pixels.data(), .width = width, .height = height, .stride = width * channels, .channels = channels});
+    const FingerDetection found = detector.detect({.data = pixels.data(),
+                                                   .width = width,
+                                                   .height = height,
+                                                   .stride = std::ptrdiff_t{width} * channels,
+                                                   .channels = channels});
     ASSERT_TRUE(std::isfinite(found.x_mm) && std::isfinite(found.y_mm) && std::isfinite(found.quality));
     ASSERT_TRUE(found.area_px >= 0 && found.area_px <= 320 * 240) << found.area_px;
     ASSERT_TRUE(found.quality >= 0 && found.quality <= 1);

@@ -221,7 +221,7 @@ class Stream {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    ::bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address);
+    (void)::bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address);
     ::listen(listener_, 4);
     socklen_t size = sizeof address;
     ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
@@ -265,7 +265,7 @@ class Stream {
 };
 
 TEST(CameraStream, ADamagedPictureIsPassedOverAndCounted) {
-  Stream stream([](std::vector<std::uint8_t> jpeg, int n) { return n % 20 == 10 ? cut(jpeg, 0.34) : jpeg; });
+  Stream stream([](const std::vector<std::uint8_t>& jpeg, int n) { return n % 20 == 10 ? cut(jpeg, 0.34) : jpeg; });
   auto camera = openCamera(stream.url());
   ASSERT_TRUE(camera) << camera.error().text();
   for (int i = 0; i < 60; ++i) {

@@ -13,6 +13,7 @@
 #include "core/device/touchpad/modbus_touchpad.h"
 #include "core/device/touchpad/qbmove_motors.h"
 #include "core/device/touchpad/touchpad_source.h"
+#include "tests/temporary_folder.h"
 
 namespace fyd::device {
 namespace {
@@ -172,8 +173,8 @@ TEST_F(ById, ACamerasPicturesComeFromItsFirstNode) {
 
 TEST(DeviceList, StableNamesComeFirstAndOnlyOnce) {
   namespace fs = std::filesystem;
-  const fs::path dev = fs::path(testing::TempDir()) / "fyd-devices-test";
-  fs::remove_all(dev);
+  const Folder folder;
+  const fs::path dev = folder.path();
   fs::create_directories(dev / "serial/by-id");
   std::ofstream(dev / "ttyUSB0").put('x');
   std::ofstream(dev / "ttyUSB1").put('x');
@@ -187,7 +188,6 @@ TEST(DeviceList, StableNamesComeFirstAndOnlyOnce) {
   EXPECT_THAT(found[1].path, HasSubstr("ttyUSB0"));
   EXPECT_EQ(found[1].problem.text(), "");
   EXPECT_TRUE(findCaptureDevices(dev.string()).empty());
-  fs::remove_all(dev);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 // The lock of HDF5 goes to whoever waits, and to its holder as often as that one asks.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "core/recording/file/recording_hdf5.h"
 
@@ -21,15 +23,18 @@ TEST(FairMutex, GoesToWhoWaitsThoughItsHolderTakesItAgainAtOnce) {
       ++turns;
     }
   });
-  while (turns == 0) std::this_thread::yield();
-  int waited = 0;
-  constexpr int kAsked = 50;
-  for (int i = 0; i < kAsked; ++i) {
+  std::vector<int> waited(50);
+  for (int& each : waited) {
+    // Asked while the other has it: who has just let go of it would be given it by any mutex.
+    const int had = turns;
+    while (turns == had) std::this_thread::yield();
     const int before = turns;
     const std::lock_guard lock(mutex);
-    waited += turns - before;
+    each = turns - before;
   }
-  EXPECT_LE(waited, 4 * kAsked) << "turns of the other in " << kAsked;
+  // The machine may stop this thread between its look and its question for many turns, but not half of the times.
+  std::ranges::sort(waited);
+  EXPECT_LE(waited[waited.size() / 2], 1) << "turns of the other; at most " << waited.back();
 }
 
 TEST(FairMutex, IsItsHoldersAsOftenAsItAsks) {

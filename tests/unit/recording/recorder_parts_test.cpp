@@ -250,6 +250,44 @@ TEST(Trials, EachBlockHoldsEveryConditionOnceAndNoneTwiceRunning) {
   }
 }
 
+TEST(Trials, OfTwoConditionsTheNextCannotBeForetold) {
+  // A block of four has six orders. Of the steps within one, four of six change the condition; of those between two, one
+  // of two: (3 · 2/3 + 1/2) / 4 = 0.625. In turns it would be 1.
+  int changes = 0, steps = 0;
+  std::map<std::string, int> orders;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto trials = experiment::orderTrials({"a", "b"}, 20, seed);
+    ASSERT_TRUE(trials);
+    ASSERT_EQ(trials->size(), 40U);
+    std::map<std::uint32_t, std::string> blocks;
+    for (const experiment::Trial& trial : *trials) blocks[trial.block] += trial.condition;
+    EXPECT_EQ(blocks.size(), 10U);
+    for (const auto& [number, block] : blocks) {
+      EXPECT_EQ(block.size(), 4U) << seed;
+      EXPECT_EQ(std::ranges::count(block, 'a'), 2) << seed << " block " << number;
+      ++orders[block];
+    }
+    for (std::size_t i = 1; i < trials->size(); ++i, ++steps)
+      changes += (*trials)[i].condition != (*trials)[i - 1].condition ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(changes) / steps, 0.625, 0.03);
+  ASSERT_EQ(orders.size(), 6U);
+  for (const auto& [order, count] : orders) EXPECT_NEAR(count, 2000.0 / 6.0, 85.0) << order;  // 5 σ
+}
+
+TEST(Trials, OfTwoConditionsAnOddNumberOfRepetitionsIsEvenToo) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto trials = experiment::orderTrials({"a", "b"}, 3, seed);
+    ASSERT_TRUE(trials);
+    ASSERT_EQ(trials->size(), 6U);
+    EXPECT_EQ(std::ranges::count(*trials, "a", &experiment::Trial::condition), 3);
+    EXPECT_EQ((*trials)[3].block, 1U);
+    EXPECT_EQ((*trials)[4].block, 2U);
+    EXPECT_NE((*trials)[4].condition, (*trials)[5].condition);
+  }
+  EXPECT_EQ(orderTrials({"a", "b"}, 5, 1, experiment::TrialOrder::latin_square)->size(), 10U);
+}
+
 TEST(Trials, TheSeedGivesTheOrderAgainAndAnotherSeedAnother) {
   const std::vector<std::string> conditions{"a", "b", "c", "d", "e"};
   EXPECT_EQ(*experiment::orderTrials(conditions, 4, 7), *experiment::orderTrials(conditions, 4, 7));

@@ -12,7 +12,7 @@ struct TouchedBody {
   BodyContact contact;
 
   TouchedBody(TriangleSoup soup, ContactModel model, double radius_mm = 0.0, Surface surface = {})
-      : mesh(shapes::built(std::move(soup))), tree(mesh), contact(tree, std::move(surface), {model, radius_mm, 0.0}) {}
+      : mesh(shapes::built(std::move(soup))), tree(mesh), contact(tree, surface, {model, radius_mm, 0.0}) {}
   TouchedBody(const TouchedBody&) = delete;
   TouchedBody& operator=(const TouchedBody&) = delete;
 

@@ -46,7 +46,11 @@ struct Picture {
     for (auto& p : pixels) p = static_cast<std::uint8_t>(std::clamp(std::lround(p + normal(random)), 0L, 255L));
   }
   [[nodiscard]] ImageView view() const {
-    return {.data = pixels.data(), .width = width, .height = height, .stride = width * channels, .channels = channels};
+    return {.data = pixels.data(),
+            .width = width,
+            .height = height,
+            .stride = std::ptrdiff_t{width} * channels,
+            .channels = channels};
   }
 };
 

@@ -86,8 +86,9 @@ TEST(Indentation, CountsOnlyWhatTheThesisPlaneMisses) {
   IndentationEstimator thesis_way(p);
   IndentationEstimate a, b;
   for (int i = 1; i < 60; ++i) {
-    a = membrane_way.step(instantAt(0.0165 * i), codes(0.0165 * i, i), fingerAt(0, 0, 0.0165 * i));
-    b = thesis_way.step(instantAt(0.0165 * i), codes(0.0165 * i, i), fingerAt(0, 0, 0.0165 * i));
+    const auto n = static_cast<std::uint64_t>(i);
+    a = membrane_way.step(instantAt(0.0165 * i), codes(0.0165 * i, n), fingerAt(0, 0, 0.0165 * i));
+    b = thesis_way.step(instantAt(0.0165 * i), codes(0.0165 * i, n), fingerAt(0, 0, 0.0165 * i));
   }
   EXPECT_NEAR(a.indentation_mm, 6.0, 0.25);
   EXPECT_NEAR(b.indentation_mm, 6 * (0.9 * side + 0.1 * back), 0.1);
@@ -109,7 +110,7 @@ TEST(Indentation, StaleInputsAreUnavailableAndHoldTheLastValue) {
   IndentationEstimate e;
   for (int i = 1; i <= 60; ++i) {
     const double t = 0.0165 * i;
-    e = estimator.step(instantAt(t), codesFor({97, 99, 97}, t, i), fingerAt(0, 0, t));
+    e = estimator.step(instantAt(t), codesFor({97, 99, 97}, t, static_cast<std::uint64_t>(i)), fingerAt(0, 0, t));
   }
   const double held = e.indentation_mm;
   const double last = 0.0165 * 60;

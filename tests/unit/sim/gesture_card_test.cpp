@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 
 #include "core/sim/touchpad/lockstep.h"
+#include "tests/temporary_folder.h"
 
 namespace fyd::sim {
 namespace {
@@ -106,7 +106,8 @@ TEST(GestureCard, IsTrimmedToBeginAtItsOwnZero) {
 }
 
 TEST(GestureCard, AFileIsACardOrARecording) {
-  const std::string file = ::testing::TempDir() + "fyd_gesture_card";
+  const Folder folder;
+  const std::string file = folder.file("card");
   const auto path = [&](const std::string& text) {
     std::ofstream(file) << text;
     return readFingerFile(file);
@@ -116,7 +117,6 @@ TEST(GestureCard, AFileIsACardOrARecording) {
   EXPECT_THAT(path(kHead + kRows).error().text(), ::testing::HasSubstr("no line ---"));
   EXPECT_FALSE(path(""));
   EXPECT_THAT(readGestureFile("nowhere.gesture").error().text(), ::testing::StartsWith("nowhere.gesture: "));
-  std::filesystem::remove(file);
 }
 
 // Through the step: the touchpad sees the finger of the card, and only an armed session moves the robot by it.

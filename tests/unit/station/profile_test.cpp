@@ -81,16 +81,64 @@ TEST_F(ProfileFile, AMissingFileIsNamed) {
   EXPECT_THAT(read.error().text(), testing::HasSubstr("none.toml"));
 }
 
-TEST_F(ProfileFile, EveryHalfWrittenProfileIsRefusedOrWhole) {
-  ASSERT_TRUE(saveProfile(Profile{}, path()));
+/// With another value of every number, as far as its range goes.
+Profile unlikeTheDefault() {
+  Profile out;
+  for (const Parameter& each : bindParameters(out)) {
+    if (!each.isNumber()) continue;
+    for (const double value :
+         {each.value() + 0.123456, each.value() - 0.123456,
+          each.value() + 0.123456 * (each.info.maximum - each.value()), each.value() + 1.0, each.value() - 1.0}) {
+      if (value == each.value() || !checkParameter(each, value)) continue;
+      each.set(value);
+      break;
+    }
+  }
+  return out;
+}
+
+/// How many parameters stand in whole lines.
+std::size_t wholeLines(std::string_view text) {
+  std::size_t out = 0;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    out += text.substr(0, end).find(" = ") != std::string_view::npos ? 1 : 0;
+    text.remove_prefix(end + 1);
+  }
+  return out;
+}
+
+// A profile is saved whole or not at all; one that was cut elsewhere is refused, or is what a shorter one says: the
+// values before the cut, and the defaults after it. Only in the line of the cut a number may have lost digits.
+TEST_F(ProfileFile, EveryHalfWrittenProfileIsRefusedOrShorter) {
+  Profile written = unlikeTheDefault(), defaults;
+  ASSERT_TRUE(saveProfile(written, path()));
+  const auto of_written = bindParameters(written), of_defaults = bindParameters(defaults);
   std::ifstream file(path());
   const std::string whole{std::istreambuf_iterator<char>(file), {}};
-  int refused = 0;
+  int refused = 0, accepted = 0;
+  std::size_t unlike = 0;
+  for (std::size_t i = 0; i < of_written.size(); ++i) {
+    unlike += formatParameter(of_written[i]) != formatParameter(of_defaults[i]) ? 1 : 0;
+  }
+  EXPECT_GT(unlike, of_written.size() / 2);
   for (std::size_t size = 0; size < whole.size(); size += 37) {
     std::ofstream(path("half.toml"), std::ios::trunc) << whole.substr(0, size);
-    if (!loadProfile(path("half.toml"))) ++refused;  // what parses is a shorter, valid profile
+    auto read = loadProfile(path("half.toml"));
+    if (!read) {
+      ++refused;
+      continue;
+    }
+    ++accepted;
+    const std::size_t before = wholeLines(whole.substr(0, size));
+    const auto of_read = bindParameters(*read);
+    for (std::size_t i = 0; i < of_read.size(); ++i) {
+      if (i == before) continue;
+      ASSERT_EQ(formatParameter(of_read[i]), formatParameter((i < before ? of_written : of_defaults)[i]))
+          << of_read[i].id << ", " << size << " bytes";
+    }
   }
   EXPECT_GT(refused, 10);
+  EXPECT_GT(accepted, 10);
 }
 
 TEST_F(ProfileFile, SavingReplacesWholeOrNotAtAll) {
