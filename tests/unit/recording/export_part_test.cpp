@@ -56,6 +56,7 @@ TEST(ExportPart, HasTheUsersRightsAndLeavesThemToOthers) {
   std::atomic<int> wrong{0};
   {
     std::vector<std::jthread> exports;
+    exports.reserve(4);
     for (int thread = 0; thread < 4; ++thread) {
       exports.emplace_back([&, thread] {
         for (int i = 0; i < 200; ++i) {

@@ -136,7 +136,7 @@ TEST_F(DamagedCommits, RowsThatNoCommitProvesAreNeitherShownNorHidden) {
 TEST_F(DamagedCommits, ALostSectorOfThemCostsItsOwnBlocksOnly) {
   loseBytes(file, commitAt(file, 5), 512);  // commits 5 and 6
   expectSaid();
-  const auto left = recovered(RecoverResult::part_lost, kCommitRows - 3 * 250);  // and 7, whose beginning nothing tells
+  const auto left = recovered(RecoverResult::part_lost, kCommitRows - 750);  // and 7, whose beginning nothing tells
   ASSERT_TRUE(left);
   EXPECT_EQ(left->info().gaps, 750U);
 }

@@ -1,0 +1,35 @@
+// The names of a recording's files: while it grows, when it is whole, and its notes beside it.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/recording/file/recording_place.h"
+#include "recording_damage.h"
+#include "tests/temporary_folder.h"
+
+namespace fyd::recording {
+namespace {
+
+TEST(RecordingNames, OfAPartialOneIsTheNameThatItWillHave) {
+  EXPECT_EQ(partialOf("a/b.h5"), "a/b.h5.partial");
+  EXPECT_EQ(wholeOf("a/b.h5.partial"), "a/b.h5");
+  EXPECT_EQ(wholeOf("a/b.h5"), "a/b.h5");
+  EXPECT_EQ(wholeOf("a/b.partial.h5"), "a/b.partial.h5");
+}
+
+TEST(RecordingNames, NotesStayWithARecordingThatGetsItsName) {
+  const Folder folder;
+  const std::string notes = folder.file("a.h5.notes.json");
+  const std::string former = folder.file("a.h5.partial.notes.json");
+  for (const std::string& recording : {folder.file("a.h5"), folder.file("a.h5.partial")})
+    EXPECT_EQ(reviewNotesPath(recording), notes) << "where they would stand";
+  samples::write(former, "{}");
+  for (const std::string& recording : {folder.file("a.h5"), folder.file("a.h5.partial")})
+    EXPECT_EQ(reviewNotesPath(recording), former) << "an earlier version's, alone";
+  samples::write(notes, "{}");
+  for (const std::string& recording : {folder.file("a.h5"), folder.file("a.h5.partial")})
+    EXPECT_EQ(reviewNotesPath(recording), notes) << "before an earlier version's";
+}
+
+}  // namespace
+}  // namespace fyd::recording
