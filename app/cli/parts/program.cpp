@@ -17,7 +17,7 @@ namespace {
 
 /// Texts that may be empty.
 bool isFreeText(const CLI::Option& option) {
-  const std::string name = option.get_single_name();
+  const std::string& name = option.get_single_name();
   return name == "notes" || name == "text" || name == "operator" || name == "subject" || name == "name";
 }
 

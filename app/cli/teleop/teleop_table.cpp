@@ -77,6 +77,7 @@ void runTable(const TableOptions& options) {
   }
   if (!options.out.empty()) {  // judged before the long work
     std::vector<std::string> inputs;
+    inputs.reserve(files.size());
     for (const auto& file : files) inputs.push_back(file.string());
     for (const auto& file : networkFiles(options)) inputs.push_back(file.string());
     refuseToDestroy(options.out, inputs);
