@@ -13,9 +13,9 @@ namespace fyd::bench {
 namespace {
 
 struct Method {
-  const char* name;
-  sensing::IndentationMode mode;
-  bool with_force;
+  const char* name = "";
+  sensing::IndentationMode mode = sensing::IndentationMode::membrane;
+  bool with_force = false;
   bool calibrated = false;
 };
 
@@ -35,10 +35,11 @@ struct Score {
   double stiffness_squares = 0.0;
   int stiffness_near = 0;  // within 15 %: about what a finger can distinguish
   double sigma_squares = 0.0;
-  int samples = 0;
+  int asked = 0;
+  int samples = 0;  // of those the method says that it knows
   int corner_samples = 0;
   int stiffness_samples = 0;
-  std::vector<double> ns;
+  std::vector<double> ns;  // of steps with new distances; in the others nothing but the filters' time goes on
 };
 
 void press(const PressedClothOptions& options, const sensing::IndentationParameters& parameters, bool with_force,
@@ -50,13 +51,17 @@ void press(const PressedClothOptions& options, const sensing::IndentationParamet
                                                                    : sensing::StiffnessMode::slope;
   sensing::StiffnessEstimator stiffness(ratio);
   for (int i = 0; i < 2200; ++i) {
+    const std::uint64_t readings = cloth.ir.count;
     cloth.step();
     const auto start = std::chrono::steady_clock::now();
     const sensing::IndentationEstimate e =
         estimator.step(cloth.now, cloth.ir, cloth.finger, with_force ? cloth.force_N : Timed<double>{});
     const sensing::StiffnessEstimate k = stiffness.step(cloth.now, cloth.force_N, e);
-    score.ns.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
-    if (cloth.sinceTouch_s() < 0.1 || !e.available) continue;
+    const double took_ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+    if (cloth.ir.count != readings) score.ns.push_back(took_ns);
+    if (cloth.sinceTouch_s() < 0.1) continue;
+    ++score.asked;
+    if (!e.available) continue;
     const double error = e.indentation_mm - cloth.depth_mm;
     score.squares += error * error;
     score.sigma_squares += e.sigma_mm * e.sigma_mm;
@@ -154,14 +159,16 @@ Table bench_indentation() {
                           {"cloth and finger", Role::group},
                           {"IR noise", "mV", Role::group},
                           {"error RMS", "mm", Role::error},
+                          "known",
                           "of the thesis' error",
                           {"worst", "mm"},
                           {"corners RMS", "mm"},
                           {"claimed σ RMS", "mm"},
                           {"stiffness error RMS", "%"},
                           "within 15 %",
-                          {"step p50", "ns", Role::cost},
-                          {"step p99", "ns"}}};
+                          {"step with new distances, p50", "ns", Role::cost},
+                          {"p99", "ns"}}};
+  const double clock_ns = clockTime_ns();
   for (const Setup& setup : wholeOrFirst(setups(), 1)) {
     double thesis = 0.0;
     for (const Method& method : kMethods) {
@@ -170,18 +177,22 @@ Table bench_indentation() {
       const double rms = std::sqrt(s.squares / s.samples);
       if (method.mode == sensing::IndentationMode::thesis) thesis = rms;
       const Quantiles t = quantiles(s.ns);
-      table.rows.push_back(
-          {method.name, setup.name, number(setup.noise_mV), number(rms), number(rms / thesis), number(s.worst),
-           number(std::sqrt(s.corner_squares / s.corner_samples)), number(std::sqrt(s.sigma_squares / s.samples)),
-           number(100 * std::sqrt(s.stiffness_squares / s.stiffness_samples)),
-           fmt::format("{:.0f} %", 100.0 * s.stiffness_near / s.stiffness_samples), number(t.p50), number(t.p99)});
+      table.rows.push_back({method.name, setup.name, number(setup.noise_mV), number(rms),
+                            fmt::format("{:.1f} %", 100.0 * s.samples / s.asked), number(rms / thesis), number(s.worst),
+                            number(std::sqrt(s.corner_squares / s.corner_samples)),
+                            number(std::sqrt(s.sigma_squares / s.samples)),
+                            number(100 * std::sqrt(s.stiffness_squares / s.stiffness_samples)),
+                            fmt::format("{:.0f} %", 100.0 * s.stiffness_near / s.stiffness_samples),
+                            number(t.p50 - clock_ns), number(t.p99 - clock_ns)});
     }
   }
   table.notes = {
       "63 places over the cloth as far as the finger keeps off the frame and within its table (±41.5 × ±27 mm; on a "
       "solved cloth a capsule ±41.5 × ±18 mm, a disc ±38 × ±18 mm), depths 3, 6 and 10 mm (7.5 mm on a cloth that is "
       "not ideal), pressed in 0.2 s and held for 1.8 s with "
-      "±0.5 mm of slow wander; errors from 0.1 s after the touch, stiffness from 0.6 s. IR at 60 Hz and "
+      "±0.5 mm of slow wander; errors from 0.1 s after the touch, where the method says that it knows (\"known\": the "
+      "share of the samples), "
+      "stiffness from 0.6 s. Time of a step in which distances came, the clock's own taken off. IR at 60 Hz and "
       "12 bit, camera at 30 Hz with 0.1 mm of noise, force at 122 Hz, 0.6 N/mm.",
       "Truth: membrane and rollers are cloths solved in finite strain, of which the estimators know nothing, pressed "
       "by "

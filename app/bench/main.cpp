@@ -68,7 +68,7 @@ void addTo(CLI::App& app, Options& options) {
   app.add_option("--runs", more.runs, "How many runs coupling draws")
       ->transform(cli::wholeNumberFrom(1, 100'000))
       ->capture_default_str();
-  app.add_option("--seed", more.seed, "What coupling and touchpad_coupling draw by")
+  app.add_option("--seed", more.seed, "What coupling, touchpad_coupling, deadband and table2 draw by")
       ->transform(cli::wholeNumberFrom(0))
       ->capture_default_str();
   app.add_option("--data", more.data,

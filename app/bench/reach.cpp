@@ -79,6 +79,7 @@ std::vector<Hand> hands() {
 double lag_ms(const std::vector<ReachRow>& rows, std::initializer_list<double Vec3::*> axes) {
   const auto begin = static_cast<int>(kSettled_s * 1e3);
   const auto end = static_cast<int>(rows.size());
+  const auto at = [&](int i) -> const ReachRow& { return rows[static_cast<std::size_t>(i)]; };
   double best = -1.0;
   int lag = 0;
   for (int shift = -100; shift <= kMostLag; ++shift) {
@@ -87,13 +88,13 @@ double lag_ms(const std::vector<ReachRow>& rows, std::initializer_list<double Ve
     for (const auto axis : axes) {
       double finger_mean = 0.0, tool_mean = 0.0;
       for (int i = from; i < to; ++i) {
-        finger_mean += rows[i].finger_mm.*axis;
-        tool_mean += rows[i + shift].tool_mm.*axis;
+        finger_mean += at(i).finger_mm.*axis;
+        tool_mean += at(i + shift).tool_mm.*axis;
       }
       finger_mean /= to - from;
       tool_mean /= to - from;
       for (int i = from; i < to; ++i) {
-        const double f = rows[i].finger_mm.*axis - finger_mean, t = rows[i + shift].tool_mm.*axis - tool_mean;
+        const double f = at(i).finger_mm.*axis - finger_mean, t = at(i + shift).tool_mm.*axis - tool_mean;
         product += f * t;
         fingers += f * f;
         tools += t * t;

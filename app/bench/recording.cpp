@@ -26,7 +26,7 @@ using namespace recording;
 
 /// Seconds of the long recording: an hour, of the page ten minutes.
 double long_s() { return wholePageOrQuick(3600.0, 600.0, 30.0); }
-std::uint64_t commitSteps() { return wholeOrQuick<std::uint64_t>(60 * 1000, 5 * 1000); }
+std::uint64_t commitSteps() { return wholeOrQuick<std::uint64_t>(60'000, 5'000); }
 constexpr std::uint64_t kStepsPerPicture = 1'000;
 constexpr std::size_t kForceField = 11;
 
@@ -174,7 +174,7 @@ void addTimes(Table& table, const std::string& name, const Times& times) {
 }
 
 void measureReading(Table& table, const std::string& file) {
-  addTimes(table, "baseline: all of its bytes by read()", timesOf(5, [&] {
+  addTimes(table, "all of its bytes by read()", timesOf(5, [&] {
              std::ifstream whole(file, std::ios::binary);
              std::vector<char> block(1 << 20);
              while (whole.read(block.data(), static_cast<std::streamsize>(block.size()))) {
@@ -281,7 +281,8 @@ Table bench_recording() {
   table.notes.push_back(fmt::format("The process never took more than {} MB of memory, writing and reading.",
                                     number(static_cast<double>(used.ru_maxrss) * 1024e-6)));
   table.notes.push_back(
-      "The hour is synthetic: texture and accelerations are noise, which does not compress. The operating system may "
+      "The session is synthetic: texture and accelerations are noise, which does not compress. The operating system "
+      "may "
       "have the file in its memory; a cold disk adds its own time.");
   table.notes.push_back("A commit compresses, waits for the disk twice (rows, then journal) and is all or nothing.");
   return table;

@@ -106,8 +106,8 @@ double largestStep(const std::vector<Vec3>& force) {
 }
 
 struct Model {
-  const char* name;
-  const char* paper;
+  const char* name = "";
+  const char* paper = "";
   ContactSettings settings;
 };
 const std::array<Model, 5> kModels = {

@@ -134,8 +134,8 @@ constexpr std::array<const char*, 5> kKinds = {"symmetric (baseline)", "felt", "
                                                "felt, constants 30 % high", "felt, constants 30 % low"};
 
 struct Plant {
-  double breakaway_percent;
-  double resonance_Hz;
+  double breakaway_percent = 0.0;
+  double resonance_Hz = 0.0;
   sim::FingerVibrationParameters simulated{};
 };
 

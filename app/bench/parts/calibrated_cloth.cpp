@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "core/base/parameter.h"
 #include "core/calibration/cloth_calibration.h"
@@ -37,10 +38,10 @@ pipeline::Parameters calibratedOn(const sim::SimParameters& parameters) {
     samples.area_mm2.push_back(press.contact.area_mm2);
   }
   const calibration::ClothCalibration found = calibration::calibrateCloth(samples, indentation, {});
-  if (!found.result.verdict.accepted) return out;
-  pipeline::Parameters calibrated = out;
-  const auto applied = calibration::applyChanges(bindParameters(calibrated), found.result.changes);
-  return applied ? calibrated : out;
+  if (!found.result.verdict.accepted) throw std::runtime_error("the bench's calibration of the cloth was refused");
+  const auto applied = calibration::applyChanges(bindParameters(out), found.result.changes);
+  if (!applied) throw std::runtime_error(applied.error().text());
+  return out;
 }
 
 }  // namespace fyd::bench

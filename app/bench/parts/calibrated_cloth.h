@@ -6,7 +6,8 @@
 
 namespace fyd::bench {
 
-/// The default parameters with the calibrated values of this cloth; the defaults alone when the fit was refused.
+/// The default parameters with the calibrated values of this cloth.
+/// @throws std::runtime_error when the fit was refused: its figures would be those of a cloth that is not calibrated
 [[nodiscard]] pipeline::Parameters calibratedOn(const sim::SimParameters& cloth);
 
 }  // namespace fyd::bench

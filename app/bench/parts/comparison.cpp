@@ -18,7 +18,11 @@ struct Entry {
   std::string baseline;  ///< the method that it is compared with; empty: none
   std::string cost = kNothing, cost_unit, error = kNothing, error_unit;
   double cost_ratio = std::nan(""), error_ratio = std::nan("");
+  bool never = false;  ///< this row or its baseline
 };
+
+/// "∞" is a multiple of nothing: the baseline has no error.
+std::string multiple(double ratio) { return std::isinf(ratio) ? "∞" : number(ratio); }
 
 const Column* columnOf(const Table& table, Role role) {
   const auto found = std::ranges::find(table.columns, role, &Column::role);
@@ -57,13 +61,19 @@ std::vector<Entry> entriesOf(const Table& table) {
       if (column.role == Role::error && !column.unit.empty()) entry.error_unit = column.unit;
     }
   }
+  const auto ratio = [](double value, double base) {
+    return std::isinf(value) || std::isinf(base) ? std::nan("") : value / base;
+  };
   for (Entry& entry : out) {
     const auto base = std::ranges::find_if(
         out, [&](const Entry& each) { return each.group == entry.group && isBaseline(each.method); });
     if (base == out.end()) continue;
     entry.baseline = base->method;
-    if (base->cost_unit == entry.cost_unit) entry.cost_ratio = valueOf(entry.cost) / valueOf(base->cost);
-    entry.error_ratio = valueOf(entry.error) / valueOf(base->error);
+    if (base->cost_unit == entry.cost_unit) {
+      entry.cost_ratio = ratio(valueOf(entry.cost), valueOf(base->cost));
+      entry.never = std::isinf(valueOf(entry.cost)) || std::isinf(valueOf(base->cost));
+    }
+    entry.error_ratio = ratio(valueOf(entry.error), valueOf(base->error));
   }
   return out;
 }
@@ -73,7 +83,13 @@ struct Method {
   std::size_t rows = 0;
   std::string only_cost, only_error;  ///< as they stand, of the first row
   std::vector<double> cost, cost_ratio, error, error_ratio;
+  bool never = false;  ///< in one of its rows
 };
+
+std::string medianCell(const std::vector<double>& values) {
+  const double found = median(values);
+  return std::isinf(found) ? kNever : number(found);
+}
 
 std::vector<Method> methodsOf(const Table& table) {
   std::vector<Method> out;
@@ -88,12 +104,13 @@ std::vector<Method> methodsOf(const Table& table) {
     }
     ++found->rows;
     const auto keep = [](std::vector<double>& list, double value) {
-      if (std::isfinite(value)) list.push_back(value);
+      if (!std::isnan(value)) list.push_back(value);
     };
     keep(found->cost, valueOf(entry.cost));
     keep(found->cost_ratio, entry.cost_ratio);
     keep(found->error, valueOf(entry.error));
     keep(found->error_ratio, entry.error_ratio);
+    found->never = found->never || entry.never;
   }
   return out;
 }
@@ -119,7 +136,7 @@ Table comparisonOf(const std::vector<Table>& tables) {
     for (const Entry& entry : entriesOf(table)) {
       out.rows.push_back({table.subject, entry.group.empty() ? kNothing : entry.group, entry.method,
                           entry.baseline.empty() ? kNothing : entry.baseline, entry.cost, entry.cost_unit,
-                          number(entry.cost_ratio), entry.error, entry.error_unit, number(entry.error_ratio)});
+                          multiple(entry.cost_ratio), entry.error, entry.error_unit, multiple(entry.error_ratio)});
     }
   }
   return out;
@@ -147,14 +164,14 @@ Table summaryOf(const Table& table) {
   for (const Method& method : methodsOf(table)) {
     std::vector<std::string> row = {method.name, std::to_string(method.rows)};
     if (cost != nullptr) {
-      row.push_back(method.rows == 1 ? method.only_cost : number(median(method.cost)));
+      row.push_back(method.rows == 1 ? method.only_cost : medianCell(method.cost));
       if (own_units) row.push_back(method.cost_unit);
-      row.push_back(number(median(method.cost_ratio)));
+      row.push_back(method.never ? kNothing : multiple(median(method.cost_ratio)));
     }
     if (error != nullptr) {
       // A median over rows of different units is none.
-      row.push_back(method.rows == 1 ? method.only_error : mixed ? kNothing : number(median(method.error)));
-      row.push_back(number(median(method.error_ratio)));
+      row.push_back(method.rows == 1 ? method.only_error : mixed ? kNothing : medianCell(method.error));
+      row.push_back(multiple(median(method.error_ratio)));
     }
     out.rows.push_back(std::move(row));
   }
@@ -166,10 +183,11 @@ std::string pictureOf(const std::vector<Table>& tables) {
   for (const Table& table : tables) {
     CostPanel panel{.title = table.subject, .points = {}};
     for (const Method& method : methodsOf(table)) {
-      if (method.cost_ratio.empty() || method.error_ratio.empty()) continue;
+      if (method.never || method.cost_ratio.empty() || method.error_ratio.empty()) continue;
       const bool baseline = isBaseline(method.name);
-      panel.points.push_back(
-          {baseline ? "baseline" : method.name, median(method.cost_ratio), median(method.error_ratio)});
+      const double cost = median(method.cost_ratio), error = median(method.error_ratio);
+      if (std::isinf(cost) || std::isinf(error)) continue;  // no place on the axes
+      panel.points.push_back({baseline ? "baseline" : method.name, cost, error});
     }
     if (panel.points.size() > 1) panels.push_back(std::move(panel));
   }

@@ -12,6 +12,7 @@ namespace fyd::bench {
 [[nodiscard]] Table comparisonOf(const std::vector<Table>& tables);
 
 /// A method of one table over all of its groups: the medians, and of how many rows. Its columns are the table's own.
+/// What never came (kNever) counts as longer than everything; with it there is no multiple of the baseline.
 [[nodiscard]] Table summaryOf(const Table& table);
 
 /// Error against cost of each subject that has both, as multiples of the baseline's (SVG); empty when none has.

@@ -76,11 +76,11 @@ std::string panel(const CostPanel& of, const CostAxes& axes) {
 std::string errorAgainstCost(const std::vector<CostPanel>& panels, const CostAxes& axes) {
   const std::size_t in_a_row = panels.size() == kInARow + 1 ? 2 : kInARow;  // no panel alone
   const std::size_t across_panels = std::min(panels.size(), in_a_row);
+  const std::size_t down_panels = (panels.size() + in_a_row - 1) / in_a_row;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" font-family=\"sans-serif\" "
       "font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      kPanel * static_cast<double>(across_panels),
-      kPanelHigh * static_cast<double>((panels.size() + in_a_row - 1) / in_a_row));
+      kPanel * static_cast<double>(across_panels), kPanelHigh * static_cast<double>(down_panels));
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const std::size_t row = i / in_a_row, column = i % in_a_row;
     out += fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n", kPanel * static_cast<double>(column),

@@ -17,6 +17,7 @@ constexpr int kMessageEvery = 10;  // steps
 constexpr double kWall_m = 0.050, kDepth_m = 0.020, kWiggle_m = 0.030;
 constexpr double kWallDamping_N_s_per_m = 1.0;
 constexpr double kFar_kg = 0.5;
+constexpr double kDiverged_m = 10.0;
 constexpr double kForceNoise_N = 0.02, kPositionNoise_m = 5e-6;
 // Times and durations of the hand's actions, s.
 constexpr double kFree = 1.5, kPress = 1.2, kFirst = kFree, kRelease = 7.0, kSecond = 11.0, kEnd = 15.0;
@@ -83,6 +84,7 @@ CouplingFigures simulate(const CouplingRun& run, CouplingChoice choice, std::vec
   double lowest = 1e9, highest = -1e9, felt_N = 0.0, felt_m = 0.0;
   int felt = 0;
   CouplingFigures out;
+  out.rest_difference_mm = 1e3 * kDiverged_m;  // of a run that does not come so far: it diverged
   const int steps = static_cast<int>(std::lround(kEnd / kRunStep_s));
   for (int i = 0; i < steps; ++i) {
     const double t = i * kRunStep_s;
@@ -124,9 +126,9 @@ CouplingFigures simulate(const CouplingRun& run, CouplingChoice choice, std::vec
       far_v += dt * (far_N - wall_N) / kFar_kg;
       far_m += dt * far_v;
     }
-    if (std::abs(hand_m) > 10.0) break;  // diverged
+    if (std::abs(hand_m) > kDiverged_m) break;
   }
-  out.oscillation_mm = highest >= lowest ? 1e3 * (highest - lowest) : 1e4;
+  out.oscillation_mm = highest >= lowest ? 1e3 * (highest - lowest) : 1e3 * kDiverged_m;
   out.felt_share = felt > 0 && felt_m > 0.0 ? felt_N / felt_m / run.wall_N_per_m : 0.0;
   out.dissipated_J = hand_end->telemetry().dissipated_J + far_end->telemetry().dissipated_J;
   out.unstable = out.oscillation_mm > 20.0 || out.least_energy_J < -0.1;

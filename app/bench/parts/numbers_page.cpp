@@ -28,7 +28,8 @@ constexpr const char* kReading = R"(## How to read it
 
 A table has a line for each method. Where a subject has several cases (signals, networks, meshes), *rows* says how many, and the
 other figures are medians over them; × baseline is the median of the ratios within each case, so below 1 is less than the
-baseline. "—": there is none, or the case has no baseline. Times are of one machine; ratios carry over to others
+baseline. "—": there is none, or the case has no baseline. "never" counts as longer than any time, and has no multiple; "∞" is the
+multiple of an error of nothing. Times are of one machine; ratios carry over to others
 better than times do. What hands feel, and what real hardware does, is in none of these figures.
 
 )";

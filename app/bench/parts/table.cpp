@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -119,6 +120,7 @@ std::string number(double value, int digits) {
 }
 
 double valueOf(const std::string& cell) {
+  if (cell == kNever) return std::numeric_limits<double>::infinity();
   double value = 0.0;
   const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return problem == std::errc() && end == cell.data() + cell.size() ? value : std::nan("");

@@ -41,6 +41,8 @@ struct Column {
 
 /// A cell without a figure.
 inline const std::string kNothing = "—";
+/// A cell of what was waited for and did not come: worse than any figure.
+inline const std::string kNever = "never";
 
 struct Table {
   std::string subject;  ///< file name stem
@@ -65,7 +67,7 @@ struct Table {
 
 /// "0.123": `digits` significant digits, "—" when not finite.
 [[nodiscard]] std::string number(double value, int digits = 3);
-/// NaN for a cell that holds no number.
+/// NaN for a cell that holds no number, infinity for kNever.
 [[nodiscard]] double valueOf(const std::string& cell);
 
 using cli::Quantiles;
@@ -82,6 +84,12 @@ template <class Call>
     out.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
   }
   return out;
+}
+
+/// What two looks at the clock take by themselves, ns.
+[[nodiscard]] inline double clockTime_ns() {
+  auto times = timeEach(10'000, [] {});
+  return quantiles(times).p50;
 }
 
 }  // namespace fyd::bench

@@ -75,7 +75,7 @@ int runAll(const QStringList& passed, const QStringList& only) {
       process.waitForFinished(-1);
       const QJsonArray found = QJsonDocument::fromJson(process.readAllStandardOutput()).array();
       if (process.exitStatus() != QProcess::NormalExit || found.isEmpty()) ++failed;
-      for (const QJsonValue& row : found) rows.append(row);
+      for (const auto& row : found) rows.append(row);
     }
   }
   const QJsonObject table{
