@@ -195,13 +195,16 @@ TEST_P(EveryMotorBoard, WhyItsMotorsWentOffIsShownUntilTheOperatorActs) {
   if (GetParam() != Backend::qbmove) cells.push_back({TouchpadFault::disobedience, kMotors, "does not obey"});
   for (const Cell& cell : cells) {
     SCOPED_TRACE(cell.words);
-    ASSERT_TRUE(rig.armed());
-    expectHeld(rig, cell);
-    const Instant two_seconds = Clock::now() + std::chrono::seconds(2);
-    ASSERT_TRUE(rig.wait("its readings, two seconds later",
-                         [&] { return Clock::now() > two_seconds && rig.lineOk(kMotors) && rig.linesOk(); }));
-    ASSERT_TRUE(rig.pass(300));
-    EXPECT_EQ(rig.state, SafetyState::held);
+    // Where a standstill of the machine lost the touchpad before the fault came, that is the reason: again.
+    for (int attempt = 0; attempt < 10 && (attempt == 0 || rig.isToBeArmed("was lost")); ++attempt) {
+      ASSERT_TRUE(rig.armed());
+      expectHeld(rig, cell);
+      const Instant two_seconds = Clock::now() + std::chrono::seconds(2);
+      ASSERT_TRUE(rig.wait("its readings, two seconds later",
+                           [&] { return Clock::now() > two_seconds && rig.lineOk(kMotors) && rig.linesOk(); }));
+      ASSERT_TRUE(rig.pass(300));
+      EXPECT_EQ(rig.state, SafetyState::held);
+    }
     EXPECT_TRUE(rig.isToBeArmed(cell.words)) << rig.part().problem.text();
     EXPECT_TRUE(rig.wait("sensors that count, as for a calibration", [&] {
       const device::DeviceReport sensors = rig.station->devices().front();
