@@ -164,7 +164,7 @@ struct Way {
 };
 
 /// So many triangles are asked for the truth of a path; all of a path's steps would take hours.
-constexpr std::size_t kAsked = 100'000'000;
+constexpr std::size_t kAsked = 20'000'000;
 constexpr std::size_t kLeastJudged = 50;
 
 /// One step of so many is judged.
@@ -252,7 +252,7 @@ Table bench_scene() {
               .notes = {}};
   const std::string judged =
       "Error: of the distance, against every single triangle, by another formula than the walk's and the tree's, in "
-      "double precision (Embree's is single), at as many steps as take 100 million triangles a path, 50 at least.";
+      "double precision (Embree's is single), at as many steps as take 20 million triangles a path, 50 at least.";
   if (const BenchOptions& given = benchOptions(); !given.mesh.empty()) {
     const Mesh mesh = cli::valueOrFail(sim::openMesh(given.mesh, LengthUnit::mm));
     const std::vector<Vec3> path = cli::readProbePath(given.path).probe_mm;

@@ -33,9 +33,9 @@ using namespace fyd;
 
 /// Opens what a click asks to open outside the window: nowhere.
 class Nowhere : public QObject {
-  Q_OBJECT
- public slots:
-  void open(const QUrl& /*url*/) {}
+  Q_OBJECT  // NOLINT(clang-diagnostic-undefined-internal): moc defines it, and tidy.py leaves moc out
+      public slots : void
+                     open(const QUrl& /*url*/) {}
 };
 
 constexpr const char* kSchemes[] = {"file", "http", "https"};
@@ -51,7 +51,7 @@ class Hands : public QObject {
   bool run(int seconds) {
     QElapsedTimer watch;
     watch.start();
-    while (holds_ && watch.elapsed() < seconds * 1000) {
+    while (holds_ && watch.elapsed() < qint64{1000} * seconds) {
       ++windows_;
       auto window = open();
       if (window == nullptr) return false;
@@ -63,8 +63,9 @@ class Hands : public QObject {
       pulse_.stop();
       window_ = nullptr;
     }
-    std::printf("%s: %ld actions in %ld windows, Active %ld times; longest silence %lld ms, after %s\n", qPrintable(place_),
-                actions_, windows_, active_, static_cast<long long>(silence_ms_), qPrintable(silenced_by_));
+    std::printf("%s: %ld actions in %ld windows, Active %ld times; longest silence %lld ms, after %s\n",
+                qPrintable(place_), actions_, windows_, active_, static_cast<long long>(silence_ms_),
+                qPrintable(silenced_by_));
     return holds_;
   }
 
@@ -81,7 +82,8 @@ class Hands : public QObject {
       std::printf("BROKEN: no session: %s\n", session.error().message.text().c_str());
       return nullptr;
     }
-    auto window = std::make_unique<console::MainWindow>(std::move(*session), QDir::homePath() + QStringLiteral("/profile.toml"));
+    auto window =
+        std::make_unique<console::MainWindow>(std::move(*session), QDir::homePath() + QStringLiteral("/profile.toml"));
     window_ = window.get();
     window->resize(1280, 720);
     window->show();
@@ -101,7 +103,8 @@ class Hands : public QObject {
 
   void act() {
     if (window_ == nullptr) return;
-    if (over_ && QApplication::activeModalWidget() == nullptr && QApplication::activePopupWidget() == nullptr) return finish();
+    if (over_ && QApplication::activeModalWidget() == nullptr && QApplication::activePopupWidget() == nullptr)
+      return finish();
     ++actions_;
     listen();
     if (QWidget* popup = QApplication::activePopupWidget()) {
@@ -136,7 +139,8 @@ class Hands : public QObject {
     for (int i = 0; i < 3; ++i) QTest::keyClick(window_, Qt::Key_Escape);
     QElapsedTimer watch;
     watch.start();
-    while (window_->stateBar()->stateWord() == QLatin1String("Active") && watch.elapsed() < kPatience_ms) QTest::qWait(20);
+    while (window_->stateBar()->stateWord() == QLatin1String("Active") && watch.elapsed() < kPatience_ms)
+      QTest::qWait(20);
     expect(window_->stateBar()->stateWord() != QLatin1String("Active"), QStringLiteral("Esc did not stop"));
     QApplication::exit();
   }
@@ -144,7 +148,7 @@ class Hands : public QObject {
   /// What asks is answered later by the same hands: its event loop must not wait for this action's end.
   template <class Action>
   void later(Action action) {
-    QTimer::singleShot(0, this, action);
+    QTimer::singleShot(0, this, std::move(action));
   }
 
   void inPopup(QWidget& popup) {
@@ -206,13 +210,16 @@ class Hands : public QObject {
   void touch(QWidget& area) {
     std::vector<QWidget*> seen;
     for (QWidget* each : area.findChildren<QWidget*>()) {
-      if (each->isVisible() && each->window() == area.window() && !each->visibleRegion().isEmpty()) seen.push_back(each);
+      if (each->isVisible() && each->window() == area.window() && !each->visibleRegion().isEmpty())
+        seen.push_back(each);
     }
     if (seen.empty()) seen.push_back(&area);
     QWidget* target = oneOf(seen);
     const QRect shown = target->visibleRegion().boundingRect();
-    const QPoint place(shown.left() + upTo(std::max(0, shown.width() - 1)), shown.top() + upTo(std::max(0, shown.height() - 1)));
-    const QPoint end(shown.left() + upTo(std::max(0, shown.width() - 1)), shown.top() + upTo(std::max(0, shown.height() - 1)));
+    const QPoint place(shown.left() + upTo(std::max(0, shown.width() - 1)),
+                       shown.top() + upTo(std::max(0, shown.height() - 1)));
+    const QPoint end(shown.left() + upTo(std::max(0, shown.width() - 1)),
+                     shown.top() + upTo(std::max(0, shown.height() - 1)));
     const QPointer<QWidget> there(target);
     const int kind = upTo(99);
     last_ = describe(*target, QStringLiteral("mouse %1 at %2,%3").arg(kind).arg(place.x()).arg(place.y()));
@@ -237,8 +244,8 @@ class Hands : public QObject {
     } else if (kind < 77) {
       const int turn = 120 * (upTo(10) - 5);
       const auto with = upTo(2) == 0 ? Qt::ControlModifier : Qt::NoModifier;
-      QWheelEvent wheel(place, target->mapToGlobal(place), QPoint(), QPoint(0, turn), Qt::NoButton, with, Qt::NoScrollPhase,
-                        false);
+      QWheelEvent wheel(place, target->mapToGlobal(place), QPoint(), QPoint(0, turn), Qt::NoButton, with,
+                        Qt::NoScrollPhase, false);
       QApplication::sendEvent(target, &wheel);
     } else {
       QWidget* focus = QApplication::focusWidget();
@@ -255,11 +262,13 @@ class Hands : public QObject {
 
   void keyTo(QWidget& target) {
     static const std::vector<Qt::Key> kKeys{
-        Qt::Key_Tab,    Qt::Key_Backtab, Qt::Key_Return, Qt::Key_Space,       Qt::Key_Escape,       Qt::Key_Left, Qt::Key_Right,
-        Qt::Key_Up,     Qt::Key_Down,    Qt::Key_Home,   Qt::Key_End,         Qt::Key_PageUp,       Qt::Key_Delete,
-        Qt::Key_0,      Qt::Key_9,       Qt::Key_Minus,  Qt::Key_Period,      Qt::Key_E,            Qt::Key_Comma,
-        Qt::Key_BracketLeft,             Qt::Key_BracketRight,                Qt::Key_Backspace,    Qt::Key_F1};
-    const std::vector<Qt::KeyboardModifiers> with{Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ControlModifier,
+        Qt::Key_Tab,          Qt::Key_Backtab,   Qt::Key_Return, Qt::Key_Space, Qt::Key_Escape,
+        Qt::Key_Left,         Qt::Key_Right,     Qt::Key_Up,     Qt::Key_Down,  Qt::Key_Home,
+        Qt::Key_End,          Qt::Key_PageUp,    Qt::Key_Delete, Qt::Key_0,     Qt::Key_9,
+        Qt::Key_Minus,        Qt::Key_Period,    Qt::Key_E,      Qt::Key_Comma, Qt::Key_BracketLeft,
+        Qt::Key_BracketRight, Qt::Key_Backspace, Qt::Key_F1};
+    const std::vector<Qt::KeyboardModifiers> with{Qt::NoModifier,    Qt::NoModifier,
+                                                  Qt::NoModifier,    Qt::ControlModifier,
                                                   Qt::ShiftModifier, Qt::ControlModifier | Qt::ShiftModifier};
     const int kind = upTo(9);
     Qt::Key key = oneOf(kKeys);
@@ -288,8 +297,16 @@ class Hands : public QObject {
       const QRect is = now.first;
       const QRect was = seen.where.first;
       expect(false, QStringLiteral("STOP or Arm moved: STOP from %1,%2 %3x%4 to %5,%6 %7x%8, arm width %9 to %10")
-                        .arg(was.x()).arg(was.y()).arg(was.width()).arg(was.height()).arg(is.x()).arg(is.y()).arg(is.width())
-                        .arg(is.height()).arg(seen.where.second.width()).arg(now.second.width()));
+                        .arg(was.x())
+                        .arg(was.y())
+                        .arg(was.width())
+                        .arg(was.height())
+                        .arg(is.x())
+                        .arg(is.y())
+                        .arg(is.width())
+                        .arg(is.height())
+                        .arg(seen.where.second.width())
+                        .arg(now.second.width()));
     }
   }
 
@@ -329,7 +346,8 @@ class Hands : public QObject {
 
 int main(int argc, char** argv) {
   if (argc < 2 || !console::placeNames().contains(QLatin1String(argv[1]))) {
-    std::fprintf(stderr, "attack_random_hands: PLACE is one of %s\n", qPrintable(console::placeNames().join(QStringLiteral(", "))));
+    std::fprintf(stderr, "attack_random_hands: PLACE is one of %s\n",
+                 qPrintable(console::placeNames().join(QStringLiteral(", "))));
     return 2;
   }
   const int seconds = argc > 2 ? std::atoi(argv[2]) : 10;

@@ -17,7 +17,7 @@ template <std::size_t Size>
 void copy(benchmark::State& state) {
   std::array<std::uint8_t, Size> from{};
   std::array<std::uint8_t, Size> to{};
-  for (auto unused : state) {
+  for ([[maybe_unused]] auto unused : state) {
     benchmark::DoNotOptimize(from);
     std::memcpy(to.data(), from.data(), Size);
     benchmark::DoNotOptimize(to);
@@ -28,7 +28,7 @@ BENCHMARK(copy<kClassicTouchSize>)->Name("classic/baseline_copy_34_bytes");
 
 template <class Call>
 void measure(benchmark::State& state, Call&& call) {
-  for (auto unused : state) benchmark::DoNotOptimize(call());
+  for ([[maybe_unused]] auto unused : state) benchmark::DoNotOptimize(call());
 }
 
 void encodeStateBench(benchmark::State& state) {
@@ -77,7 +77,7 @@ void touchpadCycle(benchmark::State& state) {
   Instant now = instantAt(1.0);
   static_cast<void>(end.handle(encodeAck(), robot, now, answer));
   const auto packet = encodeState(kState);
-  for (auto unused : state) {
+  for ([[maybe_unused]] auto unused : state) {
     now += std::chrono::milliseconds(1);
     benchmark::DoNotOptimize(&end.handle(packet, robot, now, answer));
   }

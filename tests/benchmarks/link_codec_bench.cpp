@@ -40,7 +40,7 @@ void copy(benchmark::State& state) {
   Packet from{};
   Packet to{};
   const std::size_t size = write(from) + kSealOverhead;
-  for (auto unused : state) {
+  for ([[maybe_unused]] auto unused : state) {
     benchmark::DoNotOptimize(from);
     std::memcpy(to.data(), from.data(), size);
     benchmark::DoNotOptimize(to);
@@ -55,7 +55,7 @@ void sodiumAlone(benchmark::State& state) {
   const std::size_t size = write(packet);
   const std::array<std::uint8_t, 12> nonce{};
   std::uint8_t* message = packet.data() + kSealHeader;
-  for (auto unused : state) {
+  for ([[maybe_unused]] auto unused : state) {
     crypto_aead_chacha20poly1305_ietf_encrypt(message, nullptr, message, size, packet.data(), kSealHeader, nullptr,
                                               nonce.data(), kKey.data());
     benchmark::DoNotOptimize(packet);
@@ -68,7 +68,7 @@ template <Write write>
 void encodeAndSeal(benchmark::State& state) {
   Packet packet{};
   Sealer sealer(kKey, 1);
-  for (auto unused : state) {
+  for ([[maybe_unused]] auto unused : state) {
     benchmark::DoNotOptimize(sealer.seal(packet, write(packet)));
     benchmark::DoNotOptimize(packet);
   }
@@ -85,7 +85,7 @@ void openAndDecode(benchmark::State& state, const PositionCode& code) {
   for (Packet& packet : sent) size = sealer.seal(packet, write(packet));
   Opener opener(kKey, 1);
   std::size_t next = 0;
-  for (auto unused : state) {
+  for ([[maybe_unused]] auto unused : state) {
     if (next == sent.size()) {  // each is taken once only
       opener = Opener(kKey, 1);
       next = 0;
@@ -110,7 +110,7 @@ void wholeHandshake(benchmark::State& state) {
   Packet call{};
   Packet answer{};
   Packet plain{};
-  for (auto unused : state) {
+  for ([[maybe_unused]] auto unused : state) {
     Caller caller(key, {}, systemRandom);
     const std::size_t call_size = caller.write({}, call);
     Callee callee(key, Bytes(call).first(call_size));
@@ -126,7 +126,8 @@ void forgedCall(benchmark::State& state) {
   Packet call{};
   Packet plain{};
   call[1] = versionAndKind(LinkKind::call);
-  for (auto unused : state) benchmark::DoNotOptimize(Callee(key, call).read(Bytes(call).first(150), plain));
+  for ([[maybe_unused]] auto unused : state)
+    benchmark::DoNotOptimize(Callee(key, call).read(Bytes(call).first(150), plain));
 }
 BENCHMARK(forgedCall)->Name("link/refuse_forged_call");
 
@@ -134,7 +135,7 @@ void forgedHello(benchmark::State& state) {
   const LinkKey key = LinkKey::fromCode(SecretBytes<16>{});
   const HelloBytes hello{};
   HelloNonce nonce{};
-  for (auto unused : state) benchmark::DoNotOptimize(readHello(key, hello, nonce));
+  for ([[maybe_unused]] auto unused : state) benchmark::DoNotOptimize(readHello(key, hello, nonce));
 }
 BENCHMARK(forgedHello)->Name("link/refuse_forged_hello");
 

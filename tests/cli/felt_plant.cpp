@@ -28,8 +28,8 @@ constexpr double kPlay_deg = 0.5;       // to each side, where there is any
 constexpr double kRadius_m = 0.010;
 
 struct Motor {
-  double strength, pull, breakaway;
-  double hold;  // the reference at which it stands still
+  double strength = 0, pull = 0, breakaway = 0;
+  double hold = 0;  // the reference at which it stands still
   double angle = 0, speed = 0, bent = 0, roller = 0;
 };
 

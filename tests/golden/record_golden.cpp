@@ -48,12 +48,12 @@ struct Scene {
 Act command(double at_s, OperatorAction action, double value = 0.0) {
   return {at_s, [=](station::Station& s) { (void)s.command({.action = action, .value = value}); }};
 }
-Act set(double at_s, std::string id, double value) {
+Act set(double at_s, const std::string& id, double value) {
   return {at_s, [=](station::Station& s) {
             if (const auto done = s.setParameter(id, value); !done) throw std::runtime_error(done.error().text());
           }};
 }
-Act note(double at_s, recording::NoteKind kind, std::string text) {
+Act note(double at_s, recording::NoteKind kind, const std::string& text) {
   return {at_s, [=](station::Station& s) { (void)s.note(kind, text); }};
 }
 
@@ -183,7 +183,7 @@ std::string record(const std::string& folder, const std::string& name, const Sce
       armed = true;
     }
     if (!started && (scene.from_the_start || state == SafetyState::active)) {
-      if (const auto begun = station.startRecording({.path = folder + "/" + name + ".h5",
+      if (const auto begun = station.startRecording({.path = fmt::format("{}/{}.h5", folder, name),
                                                      .operator_name = "Golden",
                                                      .subject = "S00",
                                                      .notes = "Golden recording: " + name,

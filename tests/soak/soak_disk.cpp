@@ -15,8 +15,6 @@
 namespace fyd::soak {
 namespace {
 
-using recording::RecorderState;
-
 constexpr std::uint64_t kWaitEvery = 2000;  // steps: the recorder's ring holds more
 constexpr std::chrono::seconds kPatience{120};
 

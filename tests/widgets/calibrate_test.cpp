@@ -743,6 +743,7 @@ class CalibrateTest : public QObject {
     const auto depth = [&c] { return c.page->table()->item(0, 1)->text().toDouble(); };
     const double before_mm = depth();
     auto& offsets_mm = c.session->profile.step.sensing.indentation.ir_offset_mm;
+    // NOLINTNEXTLINE(modernize-loop-convert): they are changed by their index only
     for (std::size_t i = 0; i < offsets_mm.size(); ++i) offsets_mm[i] += 0.5;
     c.page->enter();
     QVERIFY2(std::abs(depth() - before_mm - 0.5) < 0.02, qPrintable(QString::number(depth() - before_mm)));

@@ -475,9 +475,10 @@ class CurveToolsTest : public QObject {
 
   void aSpikeInTenMillionSamplesIsOnTheScreenAtEveryZoom() {
     constexpr std::size_t kSamples = 10'000'000;
+    constexpr std::size_t kSpike = std::size_t{65536} * 100;
     widgets::CurveBuffer buffer(1, kSamples);
     std::mt19937 random(11);
-    std::vector<std::size_t> spikes = {0, 1, kSamples - 1, 65536 * 100, 65536 * 100 - 1};
+    std::vector<std::size_t> spikes = {0, 1, kSamples - 1, kSpike, kSpike - 1};
     for (int i = 0; i < 20; ++i) spikes.push_back(random() % kSamples);
     std::ranges::sort(spikes);
     std::size_t next = 0;

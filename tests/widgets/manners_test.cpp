@@ -508,10 +508,9 @@ class MannersTest : public QObject {
       passTimers(30);
       const QList<QWidget*> controls = controlsOf(*f.window);
       QSet<QWidget*> reached;
-      QWidget* focus = f.window->frame();
       f.window->stateBar()->stopButton()->setFocus();
       for (qsizetype i = 0; i < 3 * controls.size() + 400; ++i) {
-        focus = QApplication::focusWidget();
+        QWidget* focus = QApplication::focusWidget();
         if (focus == nullptr) break;
         reached.insert(focus);
         QTest::keyClick(focus, Qt::Key_Tab);

@@ -408,7 +408,7 @@ class SceneViewTest : public QObject {
     const auto go_on = [] { return true; };
     moved.move(parts, {}, shot);
     QVERIFY(moved.cast(shot, {1, 1}, go_on));
-    QVERIFY(moved.picture().rays >= 400U * 300U);
+    QVERIFY(moved.picture().rays >= std::size_t{400} * 300);
     for (int i = 0; i < 30; ++i) {
       parts.balls[0].centre_mm = parts.balls[0].centre_mm + Vec3{1, 0.5, 0.2};
       parts.discs[0].normal.x += 0.1;

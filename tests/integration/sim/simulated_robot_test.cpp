@@ -228,7 +228,7 @@ TEST(SimulatedRobot, KeepsItsLimitsFromCycleToCycleAndComesToRestWhenItIsStopped
 }
 
 TEST(SimulatedRobot, WrongOptionsAreRefusedWithTheirValue) {
-  const auto message = [](device::RobotRunnerOptions options) {
+  const auto message = [](const device::RobotRunnerOptions& options) {
     const auto robot = device::RobotRunner::open(options, std::make_unique<RobotArm>(SimParameters{}));
     return robot ? std::string("opened") : robot.error().text();
   };

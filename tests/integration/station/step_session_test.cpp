@@ -15,7 +15,7 @@ using sim::LockstepOptions;
 void arm(Lockstep& session) { (void)session.next.commands.push({.action = OperatorAction::arm}); }
 
 /// Active, the finger pressing 6 mm in the middle.
-std::unique_ptr<Lockstep> activeSession(LockstepOptions options = {}) {
+std::unique_ptr<Lockstep> activeSession(const LockstepOptions& options = {}) {
   auto session = std::make_unique<Lockstep>(options);
   session->run(0.5);
   EXPECT_EQ(session->outputs().telemetry.state, SafetyState::ready);

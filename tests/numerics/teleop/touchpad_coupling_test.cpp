@@ -153,11 +153,11 @@ TEST(TouchpadCouplingInNumbers, WhatTheFingerIsToldItPutInIsWhatItPutIn) {
       scene.wall = [](double t, double) { return t < 2.0 ? 1.2 : 0.5; };
       const auto rows = play(scene);
       double most = 0.0;
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        most = std::max(most, rows[i].energy_mJ);
+      for (const auto& row : rows) {
+        most = std::max(most, row.energy_mJ);
         // The camera is late, and so are the sensors of a finger that moves.
-        if (std::abs(rows[i].speed_mm_s) > 0.5 || rows[i].depth_mm < 1.0 || rows[i].touched_s < 0.2) continue;
-        ASSERT_NEAR(rows[i].seen_energy_mJ, rows[i].energy_mJ, 0.05 * most + 0.2) << rows[i].t_s;
+        if (std::abs(row.speed_mm_s) > 0.5 || row.depth_mm < 1.0 || row.touched_s < 0.2) continue;
+        ASSERT_NEAR(row.seen_energy_mJ, row.energy_mJ, 0.05 * most + 0.2) << row.t_s;
       }
       EXPECT_GT(most, 5.0);
     }

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/bench/parts/allocation_count.h"
@@ -326,7 +327,7 @@ TEST(FeltPlant, TextReadsBackEqualAndEveryBadValueIsNamed) {
     const std::size_t to = good.find('\n', from);
     const std::string without = good.substr(0, from) + good.substr(to + 1);
     for (const std::string value : {"", "0", "-3", "nan", "inf", "-inf", "1e30", "\"x\"", "true", "[]"}) {
-      const auto refused = parsePlant(value.empty() ? without : without + key + " = " + value + "\n", "p");
+      const auto refused = parsePlant(value.empty() ? without : fmt::format("{}{} = {}\n", without, key, value), "p");
       ASSERT_FALSE(refused) << key << " = " << value;
       EXPECT_NE(refused.error().message.text().find(key), std::string::npos) << refused.error().message.text();
     }

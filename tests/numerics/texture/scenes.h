@@ -10,9 +10,9 @@ namespace fyd::texture {
 inline constexpr double kRate_Hz = 1000.0;
 
 struct Scene {
-  const char* name;
-  double low_Hz;
-  double high_Hz;
+  const char* name = nullptr;
+  double low_Hz = 0.0;
+  double high_Hz = 0.0;
   std::array<Path, 3> paths;
 };
 inline const std::array<Scene, 5> kScenes = {{{"wide", 30, 400, {{{0, 1}, {2.5, 0.8}, {6, 0.6}}}},

@@ -179,10 +179,10 @@ TEST(SmoothOutput, ACorrectionDecaysAsACriticallyDampedSystemAndSteadyMotionDoes
   constexpr double kTau_s = 0.020;
   SmoothOutput smooth(kTau_s);
   double t = 0.0;
-  for (; t < 0.1; t += 0.001) EXPECT_NEAR(smooth.step(t, {30.0 * t}, {30.0})[0], 30.0 * t, 1e-9);
+  for (int i = 0; i < 100; ++i, t += 0.001) EXPECT_NEAR(smooth.step(t, {30.0 * t}, {30.0})[0], 30.0 * t, 1e-9);
   const double from = t;
   double last = 30.0 * (t - 0.001);
-  for (; t < from + 0.2; t += 0.001) {  // from here on the prediction is 5 mm further
+  for (int i = 0; i < 200; ++i, t += 0.001) {  // from here on the prediction is 5 mm further
     const double x = smooth.step(t, {5.0 + 30.0 * t}, {30.0})[0];
     const double since = (t - (from - 0.001)) / kTau_s;
     EXPECT_NEAR(x - 30.0 * t, 5.0 - 5.0 * (1.0 + since) * std::exp(-since), 1e-6);
