@@ -119,8 +119,9 @@ Table bench_predict() {
     }
     for (const double delay_ms : wholeOrFirst(set.delays_ms, 1)) {
       auto pooled = measure(traces, set.period_ms, delay_ms);
-      const auto paper =
-          std::ranges::min({"order0", "order1", "hybrid"}, {}, [&](const char* name) { return pooled[name].rms(); });
+      const auto paper = std::min({"order0", "order1", "hybrid"}, [&](const char* one, const char* other) {
+        return pooled[one].rms() < pooled[other].rms();
+      });
       const double best = pooled[paper].rms();
       CostPanel panel{.title = fmt::format("{}, {:.0f} ms", set.name, delay_ms), .points = {}};
       for (const std::string_view name : kPredictorNames) {

@@ -32,6 +32,8 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 BUILD = SOURCE / "build" / "tidy"
 SHARE = 4  # units of a run
 FIRST = ["core", "app", "widgets", "tests"]
+# What the files of a folder include and only a build makes, by its Ninja target.
+MADE = {"app/bench/": "fyd_revision", "tests/golden/later/": "tests/golden/later/later/core/pipeline/inputs.h"}
 FINDING = re.compile(r"^(\S[^:\n]*):\d+:\d+: (?:warning|error): .*\[([\w.,-]+)\]$", re.M)
 
 
@@ -120,6 +122,9 @@ class Tree:
                     path = self.build / f"{target}_autogen" / "include" / moc
                     path.parent.mkdir(parents=True, exist_ok=True)
                     path.touch()
+        for folder, target in MADE.items():
+            if any(file.startswith(folder) for unit in units for file in self.files[unit]):
+                must("ninja", "-C", self.build, target)
         with concurrent.futures.ThreadPoolExecutor(processes) as pool:
             list(pool.map(self.precompile, sorted(headers)))
 
