@@ -31,7 +31,8 @@ struct SystemSays {
   std::atomic<int> no_answer{0};              ///< an errno, as the next: to the question for its file system
   std::atomic<int> no_lock{0};
   std::atomic<int> no_sync{0};
-  std::function<void()> before_lock;  ///< what another program does just then, once
+  std::function<void()> before_lock;      ///< what another program does just then
+  std::atomic<bool> comes_before{false};  ///< … the next time; also other threads lock files
 };
 SystemSays system_says;
 
@@ -54,7 +55,7 @@ extern "C" int statfs(const char* path, struct statfs* out) noexcept {
   return result;
 }
 extern "C" int flock(int file, int how) noexcept {
-  if (const auto meanwhile = std::exchange(fyd::recording::system_says.before_lock, {})) meanwhile();
+  if (fyd::recording::system_says.comes_before.exchange(false)) fyd::recording::system_says.before_lock();
   return fyd::recording::failOrCall(fyd::recording::system_says.no_lock, SYS_flock, file, how);
 }
 extern "C" int fsync(int file) {
@@ -73,7 +74,7 @@ class ForeignDisk : public testing::Test {
     system_says.no_answer = 0;
     system_says.no_lock = 0;
     system_says.no_sync = 0;
-    system_says.before_lock = {};
+    system_says.comes_before = false;
   }
   [[nodiscard]] std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path()), {}));
@@ -163,6 +164,7 @@ TEST_F(ForeignDisk, APartFileThatIsTakenForALeftoverWhileItIsMadeIsMadeAgain) {
   system_says.before_lock = [&] {
     for (const auto& each : std::filesystem::directory_iterator(folder.path())) std::filesystem::remove(each.path());
   };
+  system_says.comes_before = true;
   auto file = ExportFile::create(folder.file("a.csv"), false);
   ASSERT_TRUE(file) << file.error().text();
   ASSERT_TRUE(file->write("whole") && file->commit());
@@ -174,12 +176,14 @@ TEST_F(ForeignDisk, WhatTookALeftoversNameInBetweenIsNotRemoved) {
   const std::string left = folder.file(".b.fyd-part-a1B2c3.csv");
   samples::write(left, "half of it");
   system_says.before_lock = [&] { std::filesystem::remove(left); };
+  system_says.comes_before = true;
   EXPECT_EQ(removeExportLeftovers(folder.path()), 0U) << "it is gone already";
   samples::write(left, "half of it");
   system_says.before_lock = [&] {
     std::filesystem::remove(left);
     samples::write(left, "somebody else's");
   };
+  system_says.comes_before = true;
   EXPECT_EQ(removeExportLeftovers(folder.path()), 0U);
   EXPECT_EQ(samples::contentOf(left), "somebody else's");
 }
