@@ -8,6 +8,14 @@
 
 namespace fyd {
 
+/// The undefined-behaviour sanitizer reads what it doubts through a pipe; without a free file it takes a sound exception
+/// for a damaged object.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool kSanitizerNeedsAFile = true;
+#else
+inline constexpr bool kSanitizerNeedsAFile = false;
+#endif
+
 /// While it exists no file and no socket can be opened; those that are open stay so.
 class NoFreeFile {
  public:

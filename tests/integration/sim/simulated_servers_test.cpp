@@ -82,6 +82,7 @@ TEST(ModbusTcpServer, AnswersItsOwnUnitAndThoseThatMeanAnyAndNoOther) {
 }
 
 TEST(ModbusTcpServer, WithoutAFreeFileItWaitsForOneWithoutTakingTheProcessor) {
+  if (kSanitizerNeedsAFile) GTEST_SKIP() << "the sanitizer needs a file itself";
   const auto server = ModbusTcpServer::start(*protocol::parseEndpoint("127.0.0.1:0"), electronics());
   ASSERT_TRUE(server) << server.error().text();
   const Caller caller;
@@ -102,6 +103,7 @@ TEST(ModbusTcpServer, WithoutAFreeFileItWaitsForOneWithoutTakingTheProcessor) {
 }
 
 TEST(SimulatedServers, WithoutAFreeFileTheySayThatTheyCannotListen) {
+  if (kSanitizerNeedsAFile) GTEST_SKIP() << "the sanitizer needs a file itself";
   TouchpadProcessOptions modbus, camera;
   modbus.modbus_tcp = camera.camera_mjpeg = *protocol::parseEndpoint("127.0.0.1:0");
   ASSERT_TRUE(TouchpadProcess::start(camera)) << "with one; its coders stay loaded";
