@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs all tests. $1: another preset than release (debug, asan, tsan, fuzz, coverage, branches).
+# Installs what is missing, builds everything and runs all tests.
+# $1: another preset than release (debug, asan, tsan, fuzz, coverage, branches).
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 

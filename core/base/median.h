@@ -13,7 +13,7 @@ namespace fyd {
 /// What counts where an even number of values has two in the middle.
 enum class Middle : std::uint8_t { mean, lower, upper };
 
-/// @param values finite. @return NaN when there are none
+/// @param values no NaN among them. @return NaN when there are none
 [[nodiscard]] inline double median(std::vector<double> values, Middle middle = Middle::mean) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto upper = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -138,11 +138,13 @@ class McapExport {
  private:
   [[nodiscard]] std::uint64_t nanoseconds(Instant when) const {
     const Duration started = recording_.info().header.started.time_since_epoch();
-    const Wide time_ns = Wide{epoch_.count()} + when.time_since_epoch().count() - started.count();
-    return static_cast<std::uint64_t>(std::clamp<Wide>(time_ns, 0, std::numeric_limits<std::int64_t>::max()));
+    return bounded(Wide{epoch_.count()} + when.time_since_epoch().count() - started.count());
   }
   [[nodiscard]] std::uint64_t nanosecondsInto(double time_s) const {
-    return nanoseconds(recording_.info().header.started + fromSeconds(time_s));
+    return bounded(Wide{epoch_.count()} + fromSeconds(time_s).count());
+  }
+  static std::uint64_t bounded(Wide time_ns) {
+    return static_cast<std::uint64_t>(std::clamp<Wide>(time_ns, 0, std::numeric_limits<std::int64_t>::max()));
   }
   static Json stamp(std::uint64_t time_ns) {
     return {{"sec", time_ns / 1'000'000'000}, {"nsec", time_ns % 1'000'000'000}};

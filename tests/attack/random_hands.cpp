@@ -33,9 +33,10 @@ using namespace fyd;
 
 /// Opens what a click asks to open outside the window: nowhere.
 class Nowhere : public QObject {
-  Q_OBJECT  // NOLINT(clang-diagnostic-undefined-internal): moc defines it, and tidy.py leaves moc out
-      public slots : void
-                     open(const QUrl& /*url*/) {}
+  // NOLINTNEXTLINE(clang-diagnostic-undefined-internal): moc defines it, and tidy.py leaves moc out
+  Q_OBJECT
+ public slots:
+  void open(const QUrl& /*url*/) {}
 };
 
 constexpr const char* kSchemes[] = {"file", "http", "https"};

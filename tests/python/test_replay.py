@@ -200,7 +200,7 @@ def test_no_command_is_out_of_bounds_whatever_comes_in():
         if wild and out.telemetry.state == fyd.SafetyState.active:
             active[kind] += 1
             duties.add(out.motors.vibration_duty_percent)
-    assert min(active.values()) > 100  # of 210 steps each
+    assert min(active.values()) > 100  # of 225 steps each
     assert len(duties) > 50  # the motors are driven
 
 

@@ -28,18 +28,18 @@ void playsAt(ReviewFixture& f, double speed) {
     double time_s;
   };
   std::vector<Move> moves;
-  for (int play = 0; moves.size() < 6; ++play) {  // fewer say little: a machine that stood still plays it again
+  for (int play = 0; moves.size() < 3; ++play) {  // fewer say nothing: a machine that stood still plays it again
     QVERIFY2(play < 20, qPrintable(QString::number(moves.size())));
     moves.clear();
     player->goTo(0.0);
     const Instant key = Clock::now();
-    const auto told = QObject::connect(player, &console::ReviewPlayer::moved, player, [&](double time_s) {
+    QObject listener;  // however this turn ends, nobody listens after it
+    QObject::connect(player, &console::ReviewPlayer::moved, &listener, [&](double time_s) {
       if (time_s < end_s) moves.push_back({toSeconds(Clock::now() - key), time_s});
     });
     f.key(Qt::Key_Space);
     QVERIFY(player->playing());
     WAIT_FOR(!player->playing());  // it stops at the end
-    QObject::disconnect(told);
     QCOMPARE(player->time_s(), end_s);
   }
   const std::size_t last = moves.size() - 1;

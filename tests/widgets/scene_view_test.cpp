@@ -381,8 +381,14 @@ class SceneViewTest : public QObject {
     // A standstill of the machine makes the rate of a second a matter of words: one without is waited for.
     double counted = 0.0, said = 0.0;
     const auto foot = [&] { return s.view.footText().contains(QStringLiteral("pictures/s")); };
-    WAIT_FOR(paints.clock.elapsed() >= 1500 && foot() && paints.steady(300) &&
-             (counted = static_cast<double>(paints.at_ms.size()), said = s.view.picturesPerSecond(), true));
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+          if (paints.clock.elapsed() < 1500 || !foot() || !paints.steady(300)) return false;
+          counted = static_cast<double>(paints.at_ms.size());
+          said = s.view.picturesPerSecond();
+          return true;
+        },
+        kPatience_ms));
     QVERIFY2(said > 0.6 * counted && said < 1.5 * counted, qPrintable(QStringLiteral("%1 %2").arg(said).arg(counted)));
     QVERIFY(said <= 1000.0 / SceneView::kTick_ms * 1.1);  // no more than its own timer's
     QVERIFY2(s.view.footText().startsWith(QStringLiteral("100,352 triangles · ")), qPrintable(s.view.footText()));

@@ -61,7 +61,9 @@ struct RecordedPicture {
 
 /// Seconds from the recording's start.
 [[nodiscard]] inline double secondsInto(const RecordingInfo& info, Instant when) {
-  return toSeconds(when - info.header.started);
+  __extension__ using Wide = __int128;  // instants in a file are arbitrary: their difference must not overflow
+  return static_cast<double>(Wide{when.time_since_epoch().count()} - info.header.started.time_since_epoch().count()) /
+         1e9;
 }
 
 }  // namespace fyd::recording

@@ -48,12 +48,14 @@ struct MjpegServer::Reader {
   bool last = false;  ///< closes when nothing is pending
 
   void hear(Instant now) {
-    // Or eight that say nothing would keep everybody else out.
-    if (!streaming && now - came > kLongestSilence) last = true;
+    const bool late = now - came > kLongestSilence;  // or eight that say nothing would keep everybody else out
     std::array<char, 512> buffer{};
     std::error_code problem;
     const std::size_t got = socket.read_some(asio::buffer(buffer), problem);
-    if (problem == asio::error::would_block) return;
+    if (problem == asio::error::would_block) {
+      last = last || (!streaming && late);
+      return;
+    }
     if (problem) {
       pending.clear();
       last = true;
@@ -62,7 +64,7 @@ struct MjpegServer::Reader {
     if (streaming || last) return;
     request.append(buffer.data(), got);
     if (request.find("\r\n\r\n") == std::string::npos) {
-      last = request.size() > kLongestRequest;
+      last = late || request.size() > kLongestRequest;
       return;
     }
     const bool get = request.starts_with("GET ");

@@ -73,7 +73,8 @@ TEST(KilledRecorder, LosesLessThanABlockOfWhatIsWrittenAndLittleOfWhatIsPushed) 
     ChildProcess child([&]() -> int { recordForEver(folder.file(), left); });
     ASSERT_TRUE(comesTrue("pictures and steps that are committed", [&] {
       const auto growing = Recording::open(folder.file());
-      return growing && (*growing)->info().frames > 0U && (*growing)->info().committed_samples >= 500U;
+      return growing && (*growing)->info().frames > 0U && (*growing)->info().committed_samples >= 500U &&
+             left.written > 500U;
     }));
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 500'000));
     ASSERT_EQ(child.kill(), SIGKILL);  // it had not ended by itself
@@ -81,7 +82,6 @@ TEST(KilledRecorder, LosesLessThanABlockOfWhatIsWrittenAndLittleOfWhatIsPushed) 
     ASSERT_TRUE(recording) << recording.error().text();
     const RecordingInfo& info = (*recording)->info();
     EXPECT_GT(info.frames, 0U);
-    EXPECT_GT(left.written.load(), 500U);
     EXPECT_GE(info.committed_samples + kBlockSteps, left.written.load() + 1) << "each whole block is committed";
     lost.push_back(static_cast<double>(left.pushed.load()) - static_cast<double>(info.committed_samples));
     lost_s.push_back(toSeconds(Duration(left.newest_ns.load())) - toSeconds(info.header.started.time_since_epoch()) -

@@ -91,7 +91,8 @@ TEST(IndentationAccuracy, HalvesTheThesisErrorOverTheWholeCloth) {
   EXPECT_LE(ours, 0.75);  // 1 mm is promised
 }
 
-TEST(IndentationAccuracy, TheFilterAddsLittleOnAClothThatObeysTheFormula) {
+/// The cloth is the mode's own formula: what is left is the filter and the noise, without the force.
+TEST(IndentationAccuracy, WithoutTheForceAClothThatObeysTheFormulaIsFollowed) {
   const double membrane = error_mm(kByTheFormula, IndentationMode::membrane);
   const double thesis = error_mm(kByTheFormula, IndentationMode::thesis);
   EXPECT_LE(membrane, 0.5 * thesis) << membrane << " mm against " << thesis << " mm";
