@@ -46,7 +46,7 @@ mode_t umaskOfProcess() {
   for (std::string line; std::getline(status, line);) {
     if (line.starts_with("Umask:")) return static_cast<mode_t>(std::stoul(line.substr(6), nullptr, 8));
   }
-  return 022;
+  return 077;  // unknown without a free descriptor: nobody sees what its user may have kept to himself
 }
 
 }  // namespace

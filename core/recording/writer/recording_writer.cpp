@@ -253,7 +253,11 @@ Result<std::unique_ptr<RecordingWriter>> createRecording(const std::string& path
     return std::make_unique<Hdf5RecordingWriter>(path, header, std::move(calls));
   });
   if (!writer) return writer;
-  if (auto synced = syncFolder(path); !synced) return tl::unexpected(synced.error());
+  if (auto synced = syncFolder(path); !synced) {
+    writer->reset();
+    ::unlink(partialOf(path).c_str());  // it holds no step yet: removing it frees the name for the next attempt
+    return tl::unexpected(synced.error());
+  }
   return writer;
 }
 

@@ -1,13 +1,13 @@
 // Part files of exports: those of killed programs are removed, those of running ones and other files stay.
 #include "core/recording/file/export_part.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <csignal>
@@ -17,19 +17,14 @@
 #include <vector>
 
 #include "core/recording/file/export_file.h"
+#include "tests/no_free_file.h"
 #include "tests/unit/recording/recording_samples.h"
+#include "tests/unit/recording/refusal.h"
 
 namespace fyd::recording {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> namesIn(const fs::path& folder) {
-  std::vector<std::string> out;
-  for (const auto& each : fs::directory_iterator(folder)) out.push_back(each.path().filename().string());
-  std::ranges::sort(out);
-  return out;
-}
 
 /// A process in the midst of an export. @return its id; its part file exists
 pid_t exportForEver(const std::string& path) {
@@ -70,6 +65,23 @@ TEST(ExportPart, HasTheUsersRightsAndLeavesThemToOthers) {
   }
   EXPECT_EQ(wrong, 0);
   EXPECT_EQ(::umask(before), mode_t{027});
+}
+
+TEST(ExportPart, WithoutAFileToReadTheUmaskFromIsItsUsersAlone) {
+  const samples::Folder folder;
+  const mode_t before = ::umask(0);
+  const int of_the_part = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const auto part = [&] {
+    const NoFreeFile no_other;
+    ::close(of_the_part);
+    return makeExportPart(folder.file("a.csv"));
+  }();
+  ::umask(before);
+  ASSERT_TRUE(part) << part.error().text();
+  struct stat info {};
+  EXPECT_EQ(::fstat(part->lock, &info), 0);
+  EXPECT_EQ(info.st_mode & 0777, 0600U);
+  ::close(part->lock);
 }
 
 TEST(ExportPart, OfAKilledProgramGoesWithTheNextExportAndOneOfALivingProgramStays) {

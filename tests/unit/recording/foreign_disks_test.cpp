@@ -21,6 +21,7 @@
 #include "core/recording/file/recording_place.h"
 #include "recording_damage.h"
 #include "recording_samples.h"
+#include "refusal.h"
 
 namespace fyd::recording {
 namespace {
@@ -65,7 +66,10 @@ extern "C" int fsync(int file) {
 namespace fyd::recording {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
 
 class ForeignDisk : public testing::Test {
  protected:
@@ -75,9 +79,6 @@ class ForeignDisk : public testing::Test {
     system_says.no_lock = 0;
     system_says.no_sync = 0;
     system_says.comes_before = false;
-  }
-  [[nodiscard]] std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path()), {}));
   }
 
   Folder folder;
@@ -94,7 +95,7 @@ TEST_F(ForeignDisk, OnANetworkNoRecordingBeginsAndItsKindIsNamed) {
     const auto writer = RecordingWriter::create(folder.file(), samples::header());
     ASSERT_FALSE(writer) << name;
     EXPECT_THAT(writer.error().text(), HasSubstr(folder.path() + ": lies on " + name + ";"));
-    EXPECT_EQ(files(), 0U);
+    EXPECT_THAT(namesIn(folder.path()), IsEmpty());
   }
   system_says.file_system = 0xEF53;  // ext4
   auto writer = RecordingWriter::create(folder.file(), samples::header());
@@ -107,7 +108,7 @@ TEST_F(ForeignDisk, AFolderThatDoesNotTellItsKindIsRefusedWithTheReason) {
   const auto writer = RecordingWriter::create(folder.file(), samples::header());
   ASSERT_FALSE(writer);
   EXPECT_EQ(writer.error().text(), folder.path() + ": the folder cannot be used: Input/output error");
-  EXPECT_EQ(files(), 0U);
+  EXPECT_THAT(namesIn(folder.path()), IsEmpty());
 }
 
 TEST_F(ForeignDisk, AFolderThatCannotBeSyncedHoldsNamesWithoutItOneThatFailsIsAnError) {
@@ -127,6 +128,20 @@ TEST_F(ForeignDisk, AFolderThatCannotBeSyncedHoldsNamesWithoutItOneThatFailsIsAn
   EXPECT_EQ((*recording)->info().committed_samples, 10U);
 }
 
+TEST_F(ForeignDisk, ARecordingWhoseFolderCannotBeSyncedLeavesItsNameFree) {
+  system_says.no_sync = EIO;
+  const auto refused = RecordingWriter::create(folder.file(), samples::header());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), folder.path() + ": Input/output error");
+  EXPECT_FALSE(std::filesystem::exists(partialOf(folder.file())));
+  EXPECT_THAT(namesIn(folder.path()), IsEmpty());
+  system_says.no_sync = 0;
+  samples::record(folder.file(), 10);
+  const auto recording = Recording::open(folder.file());
+  ASSERT_TRUE(recording) << recording.error().text();
+  EXPECT_EQ((*recording)->info().committed_samples, 10U);
+}
+
 TEST_F(ForeignDisk, AnExportThatCannotBeSyncedReplacesNothing) {
   samples::write(folder.file("a.csv"), "mine");
   {
@@ -138,7 +153,7 @@ TEST_F(ForeignDisk, AnExportThatCannotBeSyncedReplacesNothing) {
     EXPECT_THAT(done.error().text(), HasSubstr("a.csv: writing failed: Input/output error; the file stays as it was"));
   }
   EXPECT_EQ(samples::contentOf(folder.file("a.csv")), "mine");
-  EXPECT_EQ(files(), 1U);
+  EXPECT_THAT(namesIn(folder.path()), ElementsAre("a.csv"));
 }
 
 TEST_F(ForeignDisk, WithoutLocksExportsAreMadeAndNothingIsTakenForALeftover) {
@@ -148,7 +163,7 @@ TEST_F(ForeignDisk, WithoutLocksExportsAreMadeAndNothingIsTakenForALeftover) {
   ASSERT_TRUE(file) << file.error().text();
   ASSERT_TRUE(file->write("whole") && file->commit());
   EXPECT_EQ(samples::contentOf(folder.file("a.csv")), "whole");
-  EXPECT_EQ(files(), 2U) << "the other may be somebody's who writes it now";
+  EXPECT_THAT(namesIn(folder.path()), SizeIs(2)) << "the other may be somebody's who writes it now";
   system_says.no_lock = 0;
   EXPECT_EQ(removeExportLeftovers(folder.path()), 1U);
 }
@@ -167,9 +182,11 @@ TEST_F(ForeignDisk, APartFileThatIsTakenForALeftoverWhileItIsMadeIsMadeAgain) {
   system_says.comes_before = true;
   auto file = ExportFile::create(folder.file("a.csv"), false);
   ASSERT_TRUE(file) << file.error().text();
+  EXPECT_FALSE(system_says.comes_before) << "the other program came";
+  EXPECT_TRUE(std::filesystem::exists(file->temporary())) << "the name that is written to is a file that is locked";
   ASSERT_TRUE(file->write("whole") && file->commit());
   EXPECT_EQ(samples::contentOf(folder.file("a.csv")), "whole");
-  EXPECT_EQ(files(), 1U);
+  EXPECT_THAT(namesIn(folder.path()), ElementsAre("a.csv"));
 }
 
 TEST_F(ForeignDisk, WhatTookALeftoversNameInBetweenIsNotRemoved) {
