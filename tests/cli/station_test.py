@@ -44,8 +44,9 @@ class Sessions(fyd.Case):
 
     def test_where_nothing_is_felt_the_level_ends_where_that_of_the_telemetry_does(self):
         felt = self.json(*SESSION, "--robot", "none", "--duration", 3, "--json")["vibration"]
-        if felt["felt_g_rms"] is not None:  # touched, and not held by a loaded machine before
-            self.assertAlmostEqual(felt["felt_level_dB"], -120)
+        if felt["felt_g_rms"] is None:
+            self.skipTest("a loaded machine held the session before the finger touched")
+        self.assertAlmostEqual(felt["felt_level_dB"], -120)
 
     def test_the_energy_of_the_finger_and_what_the_robot_tells_stand_beside_the_target(self):
         for coupling in ("direct", "model"):

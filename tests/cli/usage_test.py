@@ -75,7 +75,7 @@ class Usage(fyd.Case):
             with self.subTest(words=words):
                 self.assertIn(said, self.refused(1, "station", "--duration", 1, "--simulate", *words))
                 self.assertIn(said, self.window_refuses(1, "--simulate", *words))
-        self.assertIn("pad", self.window_refuses(1, "--profile", pad))
+        self.assertIn("touchpad 'pad': expected", self.window_refuses(1, "--profile", pad))
         self.assertIn("/nowhere/a.h5", self.window_refuses(1, "--simulate", "--review", "/nowhere/a.h5"))
 
     def test_a_profiles_word_is_no_wrong_usage(self):

@@ -1,36 +1,14 @@
 // A disk that runs full while it is recorded to: the recording ends before it does, whole, and says so.
-#include <csignal>
 #include <filesystem>
 #include <thread>
 
-#include <sys/resource.h>
-
+#include "tests/files_of_at_most.h"
 #include "tests/integration/recording/recorder_replay_fixture.h"
 
 namespace fyd::recording {
 namespace {
 
 using testing::HasSubstr;
-
-/// Files of this process may grow to so many bytes, which counts as the disk's room, until it goes.
-class RoomFor {
- public:
-  explicit RoomFor(std::uint64_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit small{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~RoomFor() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  RoomFor(const RoomFor&) = delete;
-  RoomFor& operator=(const RoomFor&) = delete;
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
 
 class RecorderOnADiskThatRunsFull : public Recorded {};
 
@@ -41,7 +19,7 @@ TEST_F(RecorderOnADiskThatRunsFull, EndsWholeBeforeItWithAnAlarmAndCanBeginAgain
   run(1.5);
   ASSERT_EQ(recorder->status().state, RecorderState::recording);
   {
-    const RoomFor little(recorder->status().bytes + 9'000'000);
+    const FilesOfAtMost little(recorder->status().bytes + 9'000'000);
     // As slowly as in a session: the room is looked at once a second, and must not be used up before.
     for (int i = 0; i < 1000 && recorder->status().state == RecorderState::recording; ++i) {
       run(0.02);
@@ -50,7 +28,7 @@ TEST_F(RecorderOnADiskThatRunsFull, EndsWholeBeforeItWithAnAlarmAndCanBeginAgain
   }
   const RecorderStatus status = recorder->status();
   {
-    const RoomFor less(9'000'000);
+    const FilesOfAtMost less(9'000'000);
     EXPECT_FALSE(recorder->begin({.path = file("b.h5")})) << "less than 10 MB are left";
   }
   ASSERT_EQ(status.state, RecorderState::failed);

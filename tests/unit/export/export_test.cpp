@@ -2,10 +2,8 @@
 #include "core/export/export_recording.h"
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,6 +12,7 @@
 #include "core/base/csv.h"
 #include "core/export/export_csv_text.h"
 #include "core/export/export_words.h"
+#include "tests/files_of_at_most.h"
 #include "tests/unit/recording/fake_recording.h"
 #include "tests/unit/recording/recording_samples.h"
 
@@ -187,21 +186,16 @@ TEST_F(Export, ADamagedRecordingOrAFullDiskLeavesNothing) {
     EXPECT_EQ(files(), 0U);
   }
   recording.failure_.clear();
-  // A limit on the size of files stands for the full disk.
-  struct rlimit before {};
-  ::getrlimit(RLIMIT_FSIZE, &before);
-  const struct rlimit small { 20'000, before.rlim_max };
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  ::setrlimit(RLIMIT_FSIZE, &small);
   std::vector<std::string> messages;
   std::size_t left = 0;
-  for (const char* name : {"a.csv", "a.mat", "a.mcap", "a.mkv"}) {
-    const auto result = exportRecording(recording, path(name), {});
-    messages.push_back(result ? "no error" : result.error().text());
-    left += files();
+  {
+    const FilesOfAtMost small(20'000);
+    for (const char* name : {"a.csv", "a.mat", "a.mcap", "a.mkv"}) {
+      const auto result = exportRecording(recording, path(name), {});
+      messages.push_back(result ? "no error" : result.error().text());
+      left += files();
+    }
   }
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
   EXPECT_THAT(messages, testing::Each(testing::AllOf(HasSubstr("writ"), HasSubstr("/a."))))
       << testing::PrintToString(messages);
   EXPECT_EQ(left, 0U);

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "tests/not_a_number.h"
+#include "tests/unit/protocol/classic_text.h"
 
 namespace fyd::protocol {
 namespace {
@@ -20,17 +21,10 @@ using pipeline::TouchMessage;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Bytes bytesOf(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
-
 std::string padded(std::string_view text, std::size_t size) {
   std::string out(text);
   out.resize(size, '\0');
   return out;
-}
-
-template <std::size_t N>
-std::string text(const std::array<std::uint8_t, N>& packet) {
-  return {packet.begin(), packet.end()};
 }
 
 // ---- exact bytes ----

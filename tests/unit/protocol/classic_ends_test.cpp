@@ -13,6 +13,7 @@
 #include "core/protocol/classic/classic_robot_end.h"
 #include "core/protocol/classic/classic_touchpad_end.h"
 #include "core/protocol/touch_mapping.h"
+#include "tests/unit/protocol/classic_text.h"
 
 namespace fyd::protocol {
 namespace {
@@ -26,9 +27,6 @@ Endpoint address(int host, int port = kClassicPort) {
 const Endpoint kRobot = address(1);
 const Endpoint kOther = address(2);
 const Endpoint kTouchpad = address(100);
-
-Bytes bytes(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
-std::string text(Bytes packet) { return {packet.begin(), packet.end()}; }
 
 // The touchpad's end with its clock, fed by hand.
 class Touchpad {
@@ -68,8 +66,6 @@ std::vector<std::string> sent(const TouchpadReception& reception) {
   for (const Datagram& datagram : reception.replies) out.push_back(text(datagram.bytes));
   return out;
 }
-
-constexpr std::string_view kTouch = "?0'00010:1'00005:1'00002:0'10000.\n";
 
 using ::testing::ElementsAre;
 
@@ -158,10 +154,10 @@ TEST(ClassicTouchpad, DamagedStateIsAnsweredOnceAndNotUsed) {
     flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << (bit % 8)));
     Touchpad fresh;
     fresh.connect();
-    const auto& reception = fresh.take(bytes(flipped));
+    const auto& reception = fresh.take(bytesOf(flipped));
     EXPECT_GE(reception.replies.size(), 1U) << bit;
     EXPECT_EQ(text(reception.replies[0].bytes), kTouch) << bit;
-    const bool used = decodeState(bytes(flipped)).ok();
+    const bool used = decodeState(bytesOf(flipped)).ok();
     EXPECT_EQ(reception.state.has_value(), used) << bit;
     EXPECT_EQ(fresh.end.counters().states_damaged, used ? 0U : 1U) << bit;
   }
@@ -172,12 +168,12 @@ TEST(ClassicTouchpad, WhatIsNoStateIsNeverAnswered) {
   pad.connect();
   const std::string state = text(encodeState({}));
   for (std::size_t size = 0; size < 60; ++size) {
-    EXPECT_TRUE(pad.take(bytes(std::string_view(state).substr(0, size))).replies.empty()) << size;
+    EXPECT_TRUE(pad.take(bytesOf(std::string_view(state).substr(0, size))).replies.empty()) << size;
   }
-  EXPECT_TRUE(pad.take(bytes("0'04200:0'04200.\n")).replies.empty());
-  EXPECT_TRUE(pad.take(bytes(kTouch)).replies.empty());
-  EXPECT_TRUE(pad.take(bytes(std::string(62, 'x'))).replies.empty());
-  EXPECT_TRUE(pad.take(bytes(std::string(65'000, '?'))).replies.empty());
+  EXPECT_TRUE(pad.take(bytesOf("0'04200:0'04200.\n")).replies.empty());
+  EXPECT_TRUE(pad.take(bytesOf(kTouch)).replies.empty());
+  EXPECT_TRUE(pad.take(bytesOf(std::string(62, 'x'))).replies.empty());
+  EXPECT_TRUE(pad.take(bytesOf(std::string(65'000, '?'))).replies.empty());
   EXPECT_EQ(pad.end.counters().out_of_turn, 1U);
   EXPECT_EQ(pad.end.counters().unrecognised, 63U);
   EXPECT_EQ(pad.end.phase(), LinkPhase::running);
@@ -262,22 +258,22 @@ TEST(ClassicTouchpad, StatesAfterGoodbyeAreAnsweredForThreeSeconds) {
 TEST(ClassicTouchpad, MotorReferencesAreTakenAfterCommand10Only) {
   Touchpad pad;
   pad.connect();
-  EXPECT_FALSE(pad.take(bytes("0'04200:1'04000.\n")).motor_reference);
+  EXPECT_FALSE(pad.take(bytesOf("0'04200:1'04000.\n")).motor_reference);
   static_cast<void>(pad.state(RobotCommand::motor_reference_on));
-  const auto& taken = pad.take(bytes("0'04200:1'04000.\n"));
+  const auto& taken = pad.take(bytesOf("0'04200:1'04000.\n"));
   ASSERT_TRUE(taken.motor_reference);
   EXPECT_EQ(taken.motor_reference->first_ticks, 4200.0);
   EXPECT_EQ(taken.motor_reference->second_ticks, -4000.0);
   EXPECT_TRUE(taken.replies.empty());
   static_cast<void>(pad.state(RobotCommand::motor_reference_off));
-  EXPECT_FALSE(pad.take(bytes("0'04200:1'04000.\n")).motor_reference);
+  EXPECT_FALSE(pad.take(bytesOf("0'04200:1'04000.\n")).motor_reference);
   EXPECT_EQ(pad.end.counters().out_of_turn, 2U);
 }
 
 TEST(ClassicTouchpad, ImagesAreOffUnlessTheProfileAllowsThem) {
   Touchpad pad;
   const std::string picture(3'000, 'p');
-  pad.answer.image = bytes(picture);
+  pad.answer.image = bytesOf(picture);
   pad.connect();
   EXPECT_THAT(sent(pad.state(RobotCommand::images_on)), ElementsAre(kTouch));
 }
@@ -287,7 +283,7 @@ TEST(ClassicTouchpad, ImagesFollowEveryTouchWhileOn) {
   parameters.classic_images = true;
   Touchpad pad(parameters);
   const std::string picture(3'000, 'p');
-  pad.answer.image = bytes(picture);
+  pad.answer.image = bytesOf(picture);
   pad.connect();
   const auto with_image =
       ElementsAre(kTouch, "003000", picture.substr(0, 1400), picture.substr(0, 1400), picture.substr(0, 200));
@@ -297,14 +293,14 @@ TEST(ClassicTouchpad, ImagesFollowEveryTouchWhileOn) {
   EXPECT_THAT(sent(pad.state(RobotCommand::images_off)), ElementsAre(kTouch));
 
   const std::string largest(57'599, 'p');
-  pad.answer.image = bytes(largest);
+  pad.answer.image = bytesOf(largest);
   const auto& longest = pad.state(RobotCommand::images_on);
   std::size_t total = 0;
   for (std::size_t i = 2; i < longest.replies.size(); ++i) total += longest.replies[i].bytes.size();
   EXPECT_EQ(total, largest.size());
   EXPECT_LE(pad.state(RobotCommand::send_info_and_pause).replies.size(), TouchpadReception::kMaximumReplies);
   const std::string too_large(57'600, 'p');
-  pad.answer.image = bytes(too_large);
+  pad.answer.image = bytesOf(too_large);
   EXPECT_THAT(sent(pad.state()), ElementsAre(kTouch, "000000"));
 }
 
@@ -330,7 +326,7 @@ TEST(ClassicTouchpad, ARobotWhoseStatesAreAllDamagedIsAnsweredAndLost) {
   const auto say = [&](int times) {
     for (int i = 0; i < times; ++i) {
       pad.wait(1.0);
-      EXPECT_EQ(pad.take(bytes(damaged)).replies.size(), 1U);
+      EXPECT_EQ(pad.take(bytesOf(damaged)).replies.size(), 1U);
     }
   };
   say(100);
@@ -378,7 +374,7 @@ TEST(ClassicTouchpad, JitterOf5msAnd1PercentLossIsNoLossInAnHour) {
       std::pop_heap(pending.begin(), pending.end(), std::greater<>());
       pad.now = std::max(pad.now, start + fromSeconds(1e-3 * pending.back()));
       pending.pop_back();
-      static_cast<void>(pad.take(bytes(state)));
+      static_cast<void>(pad.take(bytesOf(state)));
     }
   }
   EXPECT_GT(pad.end.counters().states, 3'500'000U);
@@ -445,7 +441,7 @@ TEST(ClassicTouchpad, TimeThatStandsStillOrGoesBackIsHarmless) {
 TEST(ClassicTouchpad, StiffnessThatACutTookKeepsItsLastValue) {
   Touchpad pad;
   pad.connect();
-  const auto& cut = pad.take(bytes("?2,0'06553:0'00000:0'00000:1,1'-25536:1'-25536:1'-32768:0'06000.\n").first(62));
+  const auto& cut = pad.take(bytesOf("?2,0'06553:0'00000:0'00000:1,1'-25536:1'-25536:1'-32768:0'06000.\n").first(62));
   ASSERT_TRUE(cut.state);
   EXPECT_NEAR(cut.state->stiffness_N_per_mm, 0.6, 1e-12);
   EXPECT_EQ(pad.end.counters().states_cut, 1U);
@@ -521,7 +517,7 @@ TEST(ClassicSession, RunsInStepThroughAllTwelveCommands) {
   parameters.classic_images = true;
   Pair pair({}, parameters);
   const std::string picture(20'000, 'p');
-  pair.pad.answer.image = bytes(picture);
+  pair.pad.answer.image = bytesOf(picture);
   pair.cycles(10);
   EXPECT_EQ(pair.robot.phase(), RobotPhase::running);
   EXPECT_EQ(pair.robot.boardText(), "board");
@@ -571,7 +567,7 @@ TEST(ClassicSession, StaysInStepWhileStatesAreDamagedOnTheWay) {
     for (const Datagram& datagram : pair.robot.tick(pair.pad.now, pair.report)) {
       std::string damaged = text(datagram.bytes);
       if (i % 2 == 0) damaged[random() % damaged.size()] ^= static_cast<char>(1 << (random() % 8));
-      for (const Datagram& reply : pair.pad.take(bytes(damaged)).replies) {
+      for (const Datagram& reply : pair.pad.take(bytesOf(damaged)).replies) {
         if (reply.bytes.size() == kClassicTouchSize) static_cast<void>(pair.robot.handle(reply.bytes, kTouchpad));
       }
     }
@@ -595,7 +591,7 @@ TEST(ClassicSession, MissedReplyIsCountedAndTheNextCycleGoesOn) {
 TEST(ClassicSession, LateTouchIsCountedAndUsed) {
   Pair pair;
   pair.cycles(5);
-  const auto got = pair.robot.handle(bytes("?0'00007:0'00008:1'00009:0'00000.\n"), kTouchpad);
+  const auto got = pair.robot.handle(bytesOf("?0'00007:0'00008:1'00009:0'00000.\n"), kTouchpad);
   ASSERT_TRUE(got.touch);
   EXPECT_EQ(got.touch->position_mm, (Vec3{7, 8, -9}));
   EXPECT_EQ(pair.robot.counters().extra_touches, 1U);
@@ -682,7 +678,7 @@ TEST(ClassicRobot, EveryMessageInEveryPhaseIsHandledOrRefused) {
           pair.pad.wait(1);
           static_cast<void>(pair.robot.tick(pair.pad.now, pair.report));
           for (const std::string& message : {first, second}) {
-            const auto got = pair.robot.handle(bytes(message), kTouchpad);
+            const auto got = pair.robot.handle(bytesOf(message), kTouchpad);
             EXPECT_TRUE(!got.touch || message == messages[0]);
             EXPECT_FALSE(got.image && message.size() != 100);
           }
@@ -696,7 +692,7 @@ TEST(ClassicRobot, EveryMessageInEveryPhaseIsHandledOrRefused) {
 TEST(ClassicRobot, StrangersAreIgnored) {
   Pair pair;
   pair.cycles(5);
-  EXPECT_FALSE(pair.robot.handle(bytes(kTouch), kOther).touch);
+  EXPECT_FALSE(pair.robot.handle(bytesOf(kTouch), kOther).touch);
   EXPECT_EQ(pair.robot.counters().wrong_peer, 1U);
 }
 
@@ -704,11 +700,11 @@ TEST(ClassicRobot, TakesTheAddressThatAnswersItsHandshake) {
   ClassicRobotEnd robot({}, kTouchpad);
   static_cast<void>(robot.tick(instantAt(1.0), {}));
   const Endpoint second_address = address(101);
-  static_cast<void>(robot.handle(bytes("x"), kOther));
-  static_cast<void>(robot.handle(bytes("00005"), address(5, 4000)));  // another port: a stranger
-  static_cast<void>(robot.handle(bytes("00005"), second_address));
-  static_cast<void>(robot.handle(bytes("board"), second_address));
-  EXPECT_TRUE(robot.handle(bytes("^010^0'04200^1'04200"), second_address).connected);
+  static_cast<void>(robot.handle(bytesOf("x"), kOther));
+  static_cast<void>(robot.handle(bytesOf("00005"), address(5, 4000)));  // another port: a stranger
+  static_cast<void>(robot.handle(bytesOf("00005"), second_address));
+  static_cast<void>(robot.handle(bytesOf("board"), second_address));
+  EXPECT_TRUE(robot.handle(bytesOf("^010^0'04200^1'04200"), second_address).connected);
   EXPECT_EQ(robot.tick(instantAt(1.001), {})[0].to, second_address);
   EXPECT_EQ(robot.counters().wrong_peer, 2U);
 }
@@ -788,22 +784,22 @@ TEST(ClassicTouchpad, FiguresNameEachRefusalWithItsCount) {
   static_cast<void>(pad.state());
   static_cast<void>(pad.ack(kOther));
   static_cast<void>(pad.state(RobotCommand::none, kOther));
-  static_cast<void>(pad.take(bytes("0'04200:0'04200.\n")));
+  static_cast<void>(pad.take(bytesOf("0'04200:0'04200.\n")));
   // One of each kind that the page lists, in a packet that is as long as a state.
   const std::string good = text(encodeState({}));
   const auto damaged = [&](std::size_t at, char c) {
     std::string packet = good;
     packet[at] = c;
-    static_cast<void>(pad.take(bytes(packet)));
+    static_cast<void>(pad.take(bytesOf(packet)));
   };
-  damaged(1, '<');                                         // command
-  damaged(2, ';');                                         // separator
-  damaged(3, '2');                                         // sign
-  damaged(5, 'x');                                         // digit
-  damaged(0, '!');                                         // start mark
-  damaged(27, '2');                                        // button, behind the three accelerations
-  damaged(5, '9');                                         // above 65535
-  static_cast<void>(pad.take(bytes(good.substr(0, 40))));  // size
+  damaged(1, '<');                                           // command
+  damaged(2, ';');                                           // separator
+  damaged(3, '2');                                           // sign
+  damaged(5, 'x');                                           // digit
+  damaged(0, '!');                                           // start mark
+  damaged(27, '2');                                          // button, behind the three accelerations
+  damaged(5, '9');                                           // above 65535
+  static_cast<void>(pad.take(bytesOf(good.substr(0, 40))));  // size
   pad.wait(3);
   const LinkFigures figures = pad.end.figures(pad.now);
   std::map<std::string, std::uint64_t> told;
@@ -827,11 +823,12 @@ TEST(ClassicTouchpad, OnlyStatesOfAFarewellAreAnswered) {
   static_cast<void>(pad.ack(kOther));
   std::string damaged = text(encodeState({}));
   damaged[5] = 'x';
-  EXPECT_EQ(pad.take(bytes(damaged)).replies.size(), 1U) << "a state, though damaged";
-  EXPECT_EQ(pad.take(bytes(std::string_view(damaged).substr(0, 61))).replies.size(), 0U)
+  EXPECT_EQ(pad.take(bytesOf(damaged)).replies.size(), 1U) << "a state, though damaged";
+  EXPECT_EQ(pad.take(bytesOf(std::string_view(damaged).substr(0, 61))).replies.size(), 0U)
       << "neither its size nor whole";
   const std::string whole = text(encodeState({}));
-  EXPECT_EQ(pad.take(bytes(std::string_view(whole).substr(0, 60))).replies.size(), 1U) << "whole but for its end marks";
+  EXPECT_EQ(pad.take(bytesOf(std::string_view(whole).substr(0, 60))).replies.size(), 1U)
+      << "whole but for its end marks";
   static_cast<void>(pad.ack(kRobot));
   EXPECT_EQ(pad.end.peer(), kOther) << "the other runs";
   pad.wait(1001);
@@ -861,7 +858,7 @@ TEST(ClassicTouchpad, APictureThatIsTooLongIsSentAsNone) {
 class AnsweredRobot {
  public:
   RobotReception take(std::string_view packet, const Endpoint& from = kTouchpad) {
-    return end.handle(bytes(packet), from, now);
+    return end.handle(bytesOf(packet), from, now);
   }
   std::span<const Datagram> tick(double ms = 1.0) {
     now += fromSeconds(ms * 1e-3);

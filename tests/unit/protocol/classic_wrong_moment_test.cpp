@@ -8,18 +8,16 @@
 
 #include "core/protocol/classic/classic_robot_end.h"
 #include "core/protocol/classic/classic_touchpad_end.h"
+#include "tests/unit/protocol/classic_text.h"
 
 namespace fyd::protocol {
 namespace {
 
-constexpr std::string_view kTouchInTurn = "?0'00010:1'00005:1'00002:0'10000.\n";
 constexpr std::string_view kReferenceInTurn = "0'00100:1'00200.\n";
-
-Bytes asDatagram(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
 
 class ClassicRobotInTurn : public testing::Test {
  protected:
-  RobotReception give(std::string_view text) { return robot.handle(asDatagram(text), at, now); }
+  RobotReception give(std::string_view text) { return robot.handle(bytesOf(text), at, now); }
   void tick() {
     now += std::chrono::milliseconds(100);  // the settings' time for a reply
     static_cast<void>(robot.tick(now, {}));
@@ -37,7 +35,7 @@ class ClassicRobotInTurn : public testing::Test {
 
 TEST_F(ClassicRobotInTurn, ATouchBeforeTheHandshakeIsCompleteIsRefused) {
   tick();
-  EXPECT_FALSE(give(kTouchInTurn).touch);
+  EXPECT_FALSE(give(kTouch).touch);
   EXPECT_EQ(robot.counters().refused, 1U);
   EXPECT_EQ(robot.phase(), RobotPhase::handshake);
 }
@@ -55,35 +53,35 @@ TEST_F(ClassicRobotInTurn, BytesOfAPictureThatReadLikeATouchAreThePictures) {
   connect();
   ASSERT_TRUE(robot.command(pipeline::RobotCommand::images_on));
   tick();
-  EXPECT_TRUE(give(kTouchInTurn).touch);
+  EXPECT_TRUE(give(kTouch).touch);
   static_cast<void>(give("000034"));
-  const RobotReception got = give(kTouchInTurn);
+  const RobotReception got = give(kTouch);
   EXPECT_FALSE(got.touch);
   EXPECT_TRUE(got.image);
-  EXPECT_EQ(std::string(robot.image().begin(), robot.image().end()), kTouchInTurn);
+  EXPECT_EQ(std::string(robot.image().begin(), robot.image().end()), kTouch);
 }
 
 TEST_F(ClassicRobotInTurn, ThreePicturesThatDoNotComeTurnThemOffWhereverTheCycleStopped) {
   connect();
   ASSERT_TRUE(robot.command(pipeline::RobotCommand::send_info_and_pause));
   tick();
-  static_cast<void>(give(kTouchInTurn));
+  static_cast<void>(give(kTouch));
   tick();  // no info came: a cycle cut short, of no picture
   EXPECT_EQ(robot.counters().cycles_cut_short, 1U);
-  static_cast<void>(give(kTouchInTurn));
+  static_cast<void>(give(kTouch));
   ASSERT_TRUE(robot.command(pipeline::RobotCommand::images_on));
   tick();
-  static_cast<void>(give(kTouchInTurn));
+  static_cast<void>(give(kTouch));
   static_cast<void>(give("000034"));
   ASSERT_TRUE(robot.command(pipeline::RobotCommand::send_info_and_pause));
   tick();  // the length came, the bytes did not: the first
-  static_cast<void>(give(kTouchInTurn));
+  static_cast<void>(give(kTouch));
   tick();  // neither info nor picture: the second
-  static_cast<void>(give(kTouchInTurn));
+  static_cast<void>(give(kTouch));
   EXPECT_TRUE(robot.replyDue()) << "a picture is still waited for";
   tick();  // the third
   EXPECT_EQ(robot.counters().cycles_cut_short, 4U);
-  static_cast<void>(give(kTouchInTurn));
+  static_cast<void>(give(kTouch));
   EXPECT_FALSE(robot.replyDue());
 }
 
@@ -92,7 +90,7 @@ TEST(ClassicTouchpadInTurn, MotorReferencesAfterTheGoodbyeAreOutOfTurn) {
   ClassicTouchpadEnd pad{LinkParameters{}};
   const Instant now = instantAt(100.0);
   EXPECT_EQ(pad.silence(now), Duration::zero()) << "nobody was heard";
-  const auto give = [&](std::string_view text) { return pad.handle(asDatagram(text), robot, now, {}).motor_reference; };
+  const auto give = [&](std::string_view text) { return pad.handle(bytesOf(text), robot, now, {}).motor_reference; };
   // Commands 10 ":" and 9, each with zeros.
   static_cast<void>(give("ACK"));
   static_cast<void>(give("?:,0'00000:0'00000:0'00000:0,0'00000:0'00000:0'00000:0'00000.\n"));
@@ -107,7 +105,7 @@ TEST(ClassicTouchpadInTurn, ARobotOfAnotherInterfacePortOrFamilyIsAnother) {
   const Endpoint robot = *parseEndpoint("[fe80::1]:3490");
   ClassicTouchpadEnd pad{LinkParameters{}};
   const Instant now = instantAt(100.0);
-  static_cast<void>(pad.handle(asDatagram("ACK"), robot, now, {}));
+  static_cast<void>(pad.handle(bytesOf("ACK"), robot, now, {}));
   Endpoint scope = robot;
   Endpoint port = robot;
   Endpoint family = robot;
@@ -116,7 +114,7 @@ TEST(ClassicTouchpadInTurn, ARobotOfAnotherInterfacePortOrFamilyIsAnother) {
   family.v6 = false;
   std::uint64_t strangers = 0;
   for (const Endpoint& other : {scope, port, family}) {
-    EXPECT_TRUE(pad.handle(asDatagram(kReferenceInTurn), other, now, {}).replies.empty());
+    EXPECT_TRUE(pad.handle(bytesOf(kReferenceInTurn), other, now, {}).replies.empty());
     EXPECT_EQ(pad.counters().wrong_peer, ++strangers);
   }
 }

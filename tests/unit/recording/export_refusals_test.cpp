@@ -12,8 +12,9 @@
 
 #include "core/recording/file/export_file.h"
 #include "core/recording/file/export_part.h"
-#include "little_room.h"
 #include "recording_damage.h"
+#include "refusal.h"
+#include "tests/files_of_at_most.h"
 #include "tests/temporary_folder.h"
 
 namespace fyd::recording {
@@ -30,13 +31,7 @@ class ExportRefused : public testing::Test {
     EXPECT_TRUE(file) << (file ? "" : file.error().text());
     return std::move(*file);
   }
-  static std::string refusal(const Result<void>& done) { return done ? "" : done.error().text(); }
-  [[nodiscard]] std::vector<std::string> left() const {
-    std::vector<std::string> out;
-    for (const auto& each : std::filesystem::directory_iterator(folder.path()))
-      out.push_back(each.path().filename().string());
-    return out;
-  }
+  [[nodiscard]] std::vector<std::string> left() const { return namesIn(folder.path()); }
 
   Folder folder;
   std::string path = folder.file("a.csv");

@@ -1,6 +1,5 @@
 // What the recorder answers when it cannot do what it was asked: a name for a subject, a second recording, a disk that
 // fails in the worst moment or does not answer. Each time the file is looked at afterwards.
-#include <atomic>
 #include <cerrno>
 #include <condition_variable>
 #include <filesystem>
@@ -11,26 +10,24 @@
 #include <gtest/gtest.h>
 
 #include "core/pipeline/pipeline.h"
-#include "core/recording/file/recording_disk.h"
 #include "core/recording/file/recording_place.h"
 #include "core/recording/reader/recording.h"
 #include "core/recording/recovery/recover.h"
 #include "core/recording/writer/recorder.h"
-#include "little_room.h"
+#include "refusal.h"
+#include "tests/files_of_at_most.h"
 #include "tests/temporary_folder.h"
 #include "tests/wait.h"
+#include "troubled_disk.h"
 
 namespace fyd::recording {
 namespace {
 
 using testing::HasSubstr;
 
-/// Fails once it is told to; answers no sync while its gate is shut.
-class GatedDisk final : public DiskCalls {
+/// Answers no sync while its gate is shut.
+class GatedDisk final : public TroubledDisk {
  public:
-  int write(int file, std::span<const std::byte> bytes, std::uint64_t at) override {
-    return trouble != 0 ? trouble.load() : DiskCalls::write(file, bytes, at);
-  }
   int sync(int file) override {
     {
       std::unique_lock lock(mutex_);
@@ -38,7 +35,7 @@ class GatedDisk final : public DiskCalls {
       opened_.wait(lock, [this] { return !shut_; });
       waits_ = false;
     }
-    return trouble != 0 ? trouble.load() : DiskCalls::sync(file);
+    return TroubledDisk::sync(file);
   }
   void shut() {
     const std::lock_guard lock(mutex_);
@@ -53,7 +50,6 @@ class GatedDisk final : public DiskCalls {
     const std::lock_guard lock(mutex_);
     return waits_;
   }
-  std::atomic<int> trouble{0};  // an errno
 
  private:
   mutable std::mutex mutex_;
@@ -101,13 +97,6 @@ class Fed {
 
 class RecorderAnswers : public testing::Test {
  protected:
-  static std::string refusal(const Result<void>& done) { return done ? "" : done.error().text(); }
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> out;
-    for (const auto& each : std::filesystem::directory_iterator(folder.path()))
-      out.push_back(each.path().filename().string());
-    return out;
-  }
   /// What a reader finds in a file, which may be the growing one.
   static std::uint64_t committedIn(const std::string& path, Wholeness expected) {
     const auto found = Recording::open(path);
@@ -125,7 +114,7 @@ TEST_F(RecorderAnswers, ASubjectsNameIsRefusedBeforeAFileIsMade) {
   Fed fed;
   EXPECT_THAT(refusal(fed.recorder.begin({.path = path, .subject = "Ada Lovelace"})), HasSubstr("never a name"));
   EXPECT_EQ(fed.recorder.status().state, RecorderState::idle);
-  EXPECT_THAT(files(), testing::IsEmpty());
+  EXPECT_THAT(namesIn(folder.path()), testing::IsEmpty());
 }
 
 TEST_F(RecorderAnswers, OfTwoRecordingsBegunAtOnceTheSecondIsRefused) {
@@ -141,7 +130,7 @@ TEST_F(RecorderAnswers, OfTwoRecordingsBegunAtOnceTheSecondIsRefused) {
   EXPECT_THAT(second, HasSubstr("b.h5: another recording is being started"));
   EXPECT_TRUE(first) << refusal(first);
   EXPECT_TRUE(fed.recorder.end());
-  EXPECT_THAT(files(), testing::ElementsAre("a.h5"));
+  EXPECT_THAT(namesIn(folder.path()), testing::ElementsAre("a.h5"));
 }
 
 TEST_F(RecorderAnswers, TheSurfaceThatIsFeltStandsInTheFile) {
@@ -226,7 +215,7 @@ TEST_F(RecorderAnswers, AnEndThatMeetsAFailedRecordingSaysWhatIsSafe) {
     ASSERT_TRUE(fed.recorder.begin({.path = file}));
     ASSERT_TRUE(comesTrue("100 written steps", [&] { return fed.recorder.status().samples == 100; }));
     fed.disk->trouble = EIO;
-    fed.push(1'000);
+    fed.push(150);  // the last of them makes the block that is committed
     words = refusal(fed.recorder.end());
     ASSERT_NE(words, "");
     EXPECT_EQ(fed.recorder.status().state, RecorderState::failed);

@@ -160,6 +160,27 @@ TEST_F(Steps, KeepTheirOrderAndBeginAtASnapshot) {
   EXPECT_EQ(readAll().size(), 700U) << "what comes while it is read is read as well";
 }
 
+TEST_F(Steps, AChunkWithoutOneIsNoStart) {
+  history.beginChunk({.state = "before", .parameters = {}});
+  EXPECT_FALSE(history.start());
+  history.add(packed({}, {}), instantAt(7.0));
+  ASSERT_TRUE(history.start());
+  EXPECT_EQ(history.start()->when, instantAt(7.0));
+  EXPECT_EQ(history.start()->snapshot->state, "before");
+}
+
+TEST_F(Steps, WhatIsUnreadCountsFromTheReadersPlaceInWhicheverChunk) {
+  constexpr int kSteps = 2500;
+  add(kSteps);
+  history.readFromStart();
+  StepRecord record;
+  for (int unread = kSteps - 1; unread >= 0; --unread) {
+    ASSERT_TRUE(history.read(record));
+    ASSERT_EQ(history.unread(), static_cast<std::uint64_t>(unread));
+  }
+  EXPECT_FALSE(history.read(record));
+}
+
 TEST_F(Steps, OldOnesGoAChunkAtATime) {
   add(5000);
   history.trim(instantAt(100.0 + 2.5), 100);

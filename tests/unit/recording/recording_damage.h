@@ -1,14 +1,16 @@
-// Flips bits in a recording's file, as a bad disk does.
+// Flips bits in a recording's file, as a bad disk does, and changes it through HDF5, as another program does.
 #pragma once
 
 #include <hdf5.h>
 
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
 
 #include "core/recording/file/recording_disk.h"
+#include "core/recording/file/recording_hdf5.h"
 #include "core/recording/format/recording_format.h"
 
 namespace fyd::recording::samples {
@@ -64,6 +66,15 @@ inline void loseBytes(const std::string& file, std::size_t first, std::size_t co
   std::fstream disk(file, std::ios::binary | std::ios::in | std::ios::out);
   disk.seekp(static_cast<std::streamoff>(first));
   disk.write(std::string(count, '\0').data(), static_cast<std::streamsize>(count));
+}
+
+/// Changes a closed recording. @param how is given the opened file
+inline void change(const std::string& file, const std::function<void(hid_t)>& how) {
+  const auto lock = hdf5Lock();
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
+  check(H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110), "access");
+  const Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, "the file");
+  how(opened.id());
 }
 
 /// Whether HDF5's own programs open it: neither too damaged nor marked as being written.

@@ -17,13 +17,6 @@ namespace {
 
 using namespace samples;
 
-void record(const std::string& file, std::uint64_t rows) {
-  auto writer = RecordingWriter::create(file, header());
-  ASSERT_TRUE(writer) << writer.error().text();
-  for (std::uint64_t row = 0; row < rows; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
-  ASSERT_TRUE((*writer)->close());
-}
-
 /// Reads damaged files and counts what can be read of them.
 struct Readings {
   /// Whatever opens holds what was recorded, or says that it is damaged.

@@ -5,7 +5,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <exception>
 #include <limits>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -156,25 +159,24 @@ TEST(RecordingStorageCommit, LargerThanItsJournalIsAnErrorAndChangesNothing) {
   EXPECT_EQ(left.find("bbbb"), std::string::npos);
 }
 
-/// Has no memory left, or asks for more than there can be, when it is to sync.
-template <class Exception>
+/// Throws when it is to sync.
 class ThrowingDisk final : public DiskCalls {
  public:
-  int sync(int) override {
-    if constexpr (std::is_constructible_v<Exception, const char*>)
-      throw Exception("too much");
-    else
-      throw Exception();
-  }
+  int sync(int) override { std::rethrow_exception(thrown); }
+  std::exception_ptr thrown;
 };
 
 TEST(RecordingBegun, WithoutMemoryIsAnErrorAndLeavesTheNameFree) {
   const Folder folder;
-  const auto none = createRecording(folder.file(), samples::header(), std::make_shared<ThrowingDisk<std::bad_alloc>>());
+  const auto begunOn = [&](const std::exception_ptr& exception) {
+    const auto disk = std::make_shared<ThrowingDisk>();
+    disk->thrown = exception;
+    return createRecording(folder.file(), samples::header(), disk);
+  };
+  const auto none = begunOn(std::make_exception_ptr(std::bad_alloc()));
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().text(), folder.file() + ": out of memory");
-  const auto vast =
-      createRecording(folder.file(), samples::header(), std::make_shared<ThrowingDisk<std::length_error>>());
+  const auto vast = begunOn(std::make_exception_ptr(std::length_error("too much")));
   ASSERT_FALSE(vast);
   EXPECT_EQ(vast.error().text(), folder.file() + ": a size in it is beyond all reason");
   auto next = RecordingWriter::create(folder.file(), samples::header());

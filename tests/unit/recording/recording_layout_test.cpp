@@ -21,13 +21,6 @@ namespace {
 using namespace samples;
 using testing::HasSubstr;
 
-void record(const std::string& file) {
-  auto writer = RecordingWriter::create(file, header());
-  ASSERT_TRUE(writer) << writer.error().text();
-  for (std::uint64_t row = 0; row < 600; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
-  ASSERT_TRUE((*writer)->close());
-}
-
 /// What every way to a recording's rows says.
 void expectRefused(const std::string& file, const std::string& words) {
   const auto opened = Recording::open(file);
@@ -46,19 +39,12 @@ void expectRefused(const std::string& file, const std::string& words) {
 class RecordingLayout : public testing::Test {
  protected:
   void SetUp() override {
-    record(file);
+    anew();
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   }
 
-  void change(const std::function<void(hid_t)>& change) const {
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
-    const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, access);
-    ASSERT_GE(id, 0);
-    change(id);
-    H5Fclose(id);
-    H5Pclose(access);
-  }
+  void anew() const { record(file, 600); }
+  void change(const std::function<void(hid_t)>& how) const { samples::change(file, how); }
 
   /// Another dataset of the same rows' type in a table's place.
   static void replace(hid_t id, const char* path, hsize_t rows, const std::function<void(hid_t)>& set,
@@ -86,8 +72,7 @@ TEST_F(RecordingLayout, ValuesInOtherFilesAreRefused) {
   write(folder.file("secret"), std::string(10'000, 's'));
   for (const std::string& source : {folder.file("secret"), pipe, std::string("/dev/zero")})
     for (const char* path : {"/notes/text", "/camera/bytes"}) {
-      ::unlink(file.c_str());
-      record(file);
+      anew();
       change([&](hid_t id) {
         replace(
             id, path, 10'000, [&](hid_t set) { H5Pset_external(set, source.c_str(), 0, H5F_UNLIMITED); }, 10'000);
@@ -111,8 +96,7 @@ TEST_F(RecordingLayout, ValuesInOtherDatasetsAreRefused) {
 TEST_F(RecordingLayout, LinksAreRefusedOnEachStepOfTheWay) {
   for (const char* path : {"/telemetry", "/header", "/header/profile", "/inputs", "/inputs/steps"}) {
     for (const bool elsewhere : {false, true}) {
-      ::unlink(file.c_str());
-      record(file);
+      anew();
       change([&](hid_t id) {
         H5Lmove(id, path, id, "/moved", H5P_DEFAULT, H5P_DEFAULT);
         const herr_t made = elsewhere ? H5Lcreate_external(pipe.c_str(), "/x", id, path, H5P_DEFAULT, H5P_DEFAULT)
@@ -130,8 +114,7 @@ TEST_F(RecordingLayout, ForeignChunksAndPackingAreRefused) {
   const auto chunks = [](hsize_t rows) { return [rows](hid_t set) { H5Pset_chunk(set, 1, &rows); }; };
   change([&](hid_t id) { replace(id, "/events", 0, chunks(1'000'000)); });
   expectRefused(file, "/events: not in chunks of 170 rows");
-  ::unlink(file.c_str());
-  record(file);
+  anew();
   change([&](hid_t id) {
     replace(id, "/motors", 600, [&](hid_t set) {
       chunks(250)(set);
@@ -143,8 +126,7 @@ TEST_F(RecordingLayout, ForeignChunksAndPackingAreRefused) {
 
 TEST_F(RecordingLayout, MoreRowsThanTheFileCanHoldAreRefusedAtOnce) {
   for (const hsize_t rows : {hsize_t{1} << 33U, hsize_t{1} << 62U}) {
-    ::unlink(file.c_str());
-    record(file);
+    anew();
     change([&](hid_t id) {
       const hid_t set = H5Dopen2(id, "/commits", H5P_DEFAULT);
       EXPECT_GE(H5Dset_extent(set, &rows), 0);
@@ -189,8 +171,7 @@ TEST_F(RecordingLayout, ValuesThatTheFileDoesNotHoldAreRefusedBeforeTheyTakeMemo
   });
   EXPECT_THAT(Recording::open(file).error().text(),
               HasSubstr(fmt::format("/header/scene: says to be {} bytes, while 0 stand in the file", bytes)));
-  ::unlink(file.c_str());
-  record(file);
+  anew();
   change([&](hid_t id) {
     H5Ldelete(id, "/header/notes", H5P_DEFAULT);
     const hid_t type = H5Tcopy(H5T_C_S1);
@@ -252,8 +233,7 @@ TEST_F(RecordingLayout, ColumnsThatAreNotWhatTheirNamesSayAreRefused) {
   for (const Case& each : {Case{24, 170, H5T_IEEE_F64LE, "/notes/index: column when_ns is not of this format's type"},
                            Case{4096, 1, H5T_STD_I64LE, "/notes/index: rows of 4096 bytes; this program's have 24"},
                            Case{16, 170, H5T_STD_I64LE, "/notes/index: not in chunks of 256 rows"}}) {
-    ::unlink(file.c_str());
-    record(file);
+    anew();
     change([&](hid_t id) {
       H5Ldelete(id, "/notes/index", H5P_DEFAULT);
       const hid_t row = H5Tcreate(H5T_COMPOUND, each.row_bytes);

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <hdf5.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -30,6 +29,7 @@
 #include "core/recording/writer/step_history.h"
 #include "recording_damage.h"
 #include "recording_samples.h"
+#include "tests/files_of_at_most.h"
 #include "tests/reference_crc.h"
 
 namespace fyd::recording {
@@ -309,13 +309,9 @@ TEST(StepHistory, WithoutAReaderHasNothingToRead) {
 }
 
 TEST(DiskSpace, IsNoMoreThanAFileMayGrow) {
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const rlimit small{.rlim_cur = 5'000, .rlim_max = before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const FilesOfAtMost small(5'000);
   const auto left = freeBytes("a name without a folder", 2'000);
   const auto none = freeBytes("a name without a folder", 6'000);
-  ::setrlimit(RLIMIT_FSIZE, &before);
   ASSERT_TRUE(left && none);
   EXPECT_EQ(*left, 3'000U);
   EXPECT_EQ(*none, 0U);

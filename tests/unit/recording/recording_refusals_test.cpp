@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -42,23 +43,12 @@ class RecordingRefusals : public testing::Test {
  protected:
   static constexpr std::uint64_t kRows = 600;
 
-  void anew(const RecordingHeader& header = samples::header()) const {
-    ::unlink(file.c_str());
-    auto writer = RecordingWriter::create(file, header);
-    ASSERT_TRUE(writer) << writer.error().text();
-    for (std::uint64_t row = 0; row < kRows; ++row) ASSERT_TRUE((*writer)->append(samples::plainStep(row)));
-    ASSERT_TRUE((*writer)->close());
-  }
+  void anew(const RecordingHeader& header = samples::header()) const { samples::record(file, kRows, header); }
 
   /// Of a recording that was good before.
-  template <class Change>
-  void change(Change&& change) const {
+  void change(const std::function<void(hid_t)>& how) const {
     anew();
-    const auto lock = hdf5Lock();
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access");
-    H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
-    const Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, access.id()), H5Fclose, "the file");
-    change(opened.id());
+    samples::change(file, how);
   }
 
   /// Another dataset in a place, which the recording may have or not. Nothing is written to it.

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstring>
+#include <filesystem>
 #include <random>
 #include <string>
 
@@ -47,6 +48,15 @@ inline StepRecord plainStep(std::uint64_t row) {
   record.inputs.motors.value.current_mA = {std::sin(static_cast<double>(row)), 1.0};
   record.motors.reference_ticks = {static_cast<std::int16_t>(row % 1000), 0};
   return record;
+}
+
+/// A closed recording of plain steps, in place of what has the name.
+inline void record(const std::string& file, std::uint64_t rows, const RecordingHeader& header = samples::header()) {
+  std::filesystem::remove(file);
+  auto writer = RecordingWriter::create(file, header);
+  ASSERT_TRUE(writer) << writer.error().text();
+  for (std::uint64_t row = 0; row < rows; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
+  ASSERT_TRUE((*writer)->close());
 }
 
 class RandomSteps {

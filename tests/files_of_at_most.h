@@ -1,4 +1,4 @@
-// A disk that is nearly full.
+// A limit on the size of files, which stands for a disk that is nearly full.
 #pragma once
 
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fyd::recording {
+namespace fyd {
 
 /// While it exists, no file of this process grows beyond so many bytes.
 class FilesOfAtMost {
@@ -29,4 +29,4 @@ class FilesOfAtMost {
   rlimit before_{};
 };
 
-}  // namespace fyd::recording
+}  // namespace fyd
