@@ -7558,8 +7558,8 @@ Pour commencer : %1</translation>
         <translation>pilote, main gauche</translation>
     </message>
     <message>
-        <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z) and face (a list vertex_indices) with the types of their properties</source>
-        <translation>en-tête ply, ligne {} "{}" : attendu format 1.0, puis les éléments vertex (x, y, z) et face (une list vertex_indices) avec les types de leurs propriétés</translation>
+        <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z, each float or double) and face (a list vertex_indices, uchar int) with the types of their properties</source>
+        <translation>en-tête ply, ligne {} "{}" : attendu format 1.0, puis les éléments vertex (x, y, z, chacun float ou double) et face (une list vertex_indices, uchar int) avec les types de leurs propriétés</translation>
     </message>
     <message>
         <source>png: the picture could not be made</source>

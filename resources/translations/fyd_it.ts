@@ -7558,8 +7558,8 @@ Per cominciare: %1</translation>
         <translation>pilota, mano sinistra</translation>
     </message>
     <message>
-        <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z) and face (a list vertex_indices) with the types of their properties</source>
-        <translation>intestazione ply, riga {} "{}": atteso format 1.0, poi gli elementi vertex (x, y, z) e face (una list vertex_indices) con i tipi delle loro proprietà</translation>
+        <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z, each float or double) and face (a list vertex_indices, uchar int) with the types of their properties</source>
+        <translation>intestazione ply, riga {} "{}": atteso format 1.0, poi gli elementi vertex (x, y, z, ciascuno float o double) e face (una list vertex_indices, uchar int) con i tipi delle loro proprietà</translation>
     </message>
     <message>
         <source>png: the picture could not be made</source>

@@ -1,9 +1,13 @@
 #include "core/scene/mesh/mesh_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <initializer_list>
 #include <istream>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/PLY.h>
@@ -18,16 +22,63 @@ namespace {
 
 constexpr std::size_t kLongestQuoted = 60;
 
-/// CGAL's reader does not check a PLY header, and a wrong one ends the program: so it is checked first.
+struct PlyProperty {
+  std::string name, type;
+  std::string type_of_count;  // of a list; else empty
+};
+
+struct PlyElement {
+  std::string name;
+  std::vector<PlyProperty> properties;
+};
+
+template <class Words = std::initializer_list<std::string_view>>
+bool isOneOf(const Words& words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+constexpr std::array<std::string_view, 8> kShortIntegers = {"char",  "int8",  "uchar",  "uint8",
+                                                            "short", "int16", "ushort", "uint16"};
+constexpr std::array<std::string_view, 4> kLongIntegers = {"int", "int32", "uint", "uint32"};
+constexpr std::array<std::string_view, 4> kReals = {"float", "float32", "double", "float64"};
+
+bool hasAType(const PlyProperty& property) {
+  // A longer count than of 16 bits lets a list of a small file fill the memory.
+  if (!property.type_of_count.empty() && !isOneOf(kShortIntegers, property.type_of_count)) return false;
+  return isOneOf(kShortIntegers, property.type) || isOneOf(kLongIntegers, property.type) ||
+         isOneOf(kReals, property.type);
+}
+
+/// What CGAL looks up in an element by its name is there, with the type it takes for granted.
+bool isReadable(const PlyElement& element) {
+  const auto named = [&](std::string_view name) {
+    return std::ranges::count(element.properties, name, &PlyProperty::name);
+  };
+  if (element.properties.empty()) return false;  // as many items as it likes, of no bytes
+  for (const auto& [longer, shorter] : {std::pair("red", "r"), {"green", "g"}, {"blue", "b"}}) {
+    if (named(longer) != 0 && named(shorter) != 0) return false;
+  }
+  if (element.name == "vertex") {
+    for (const PlyProperty& each : element.properties) {
+      const bool axis = isOneOf({"x", "y", "z"}, each.name);
+      if (!each.type_of_count.empty() || (axis && !isOneOf(kReals, each.type))) return false;
+    }
+    return named("x") == 1 && named("y") == 1 && named("z") == 1;
+  }
+  if (element.name == "face") {
+    return std::ranges::any_of(element.properties, [](const PlyProperty& each) {
+      return isOneOf({"vertex_indices", "vertex_index"}, each.name) && !each.type_of_count.empty() &&
+             isOneOf(kLongIntegers, each.type);
+    });
+  }
+  return !isOneOf({"vertices", "faces", "halfedge"}, element.name);  // CGAL's other names, and what has no meaning here
+}
+
+/// CGAL's reader does not check a PLY header, and a wrong one ends the program or holds it: so it is checked first.
 Result<void> checkPlyHeader(std::string_view bytes) {
-  static constexpr std::array<std::string_view, 16> kTypes = {
-      "char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
-      "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
-  const auto known = [](const std::string& type) { return std::ranges::find(kTypes, type) != kTypes.end(); };
   std::size_t line_number = 0;
-  std::string element;
-  std::vector<std::string> vertex_properties;
-  bool has_faces = false;
+  std::vector<PlyElement> elements;
+  const auto has = [&](std::string_view name) { return std::ranges::count(elements, name, &PlyElement::name) != 0; };
   while (!bytes.empty()) {
     const std::size_t end = bytes.find('\n');
     if (end == std::string_view::npos) break;
@@ -37,8 +88,8 @@ Result<void> checkPlyHeader(std::string_view bytes) {
     ++line_number;
     const auto wrong = [&] {
       return fail(
-          "ply header, line {} \"{}\": expected format 1.0, then elements vertex (x, y, z) and face (a list "
-          "vertex_indices) with the types of their properties",
+          "ply header, line {} \"{}\": expected format 1.0, then elements vertex (x, y, z, each float or double) and "
+          "face (a list vertex_indices, uchar int) with the types of their properties",
           line_number, text);
     };
     std::string word;
@@ -48,30 +99,25 @@ Result<void> checkPlyHeader(std::string_view bytes) {
     } else if (line_number == 2) {
       std::string format, version;
       line >> format >> version;
-      const bool good = format == "ascii" || format == "binary_little_endian" || format == "binary_big_endian";
+      const bool good = isOneOf({"ascii", "binary_little_endian", "binary_big_endian"}, format);
       if (word != "format" || !good || version != "1.0") return wrong();
     } else if (word == "element") {
+      PlyElement element;
       std::uint64_t count = 0;
-      if (!(line >> element >> count)) return wrong();
-      if (count > bytes.size()) return wrong();
-      if (vertex_properties.empty() && element == "face") return wrong();
+      if (!(line >> element.name >> count) || count > bytes.size()) return wrong();
+      if (!elements.empty() && !isReadable(elements.back())) return wrong();
+      if (has(element.name) || (element.name == "face" && !has("vertex"))) return wrong();
+      elements.push_back(std::move(element));
     } else if (word == "property") {
-      std::string type, of_count, name;
-      line >> type;
-      const bool list = type == "list";
-      if (list) line >> of_count >> type;
-      line >> name;
-      if (element.empty() || name.empty() || !known(type) || (list && !known(of_count))) {
-        return wrong();
-      }
-      if (element == "vertex" && list) return wrong();
-      if (element == "vertex") vertex_properties.push_back(name);
-      if (element == "face" && list && (name == "vertex_indices" || name == "vertex_index")) has_faces = true;
+      PlyProperty property;
+      line >> property.type;
+      if (property.type == "list") line >> property.type_of_count >> property.type;
+      line >> property.name;
+      if (elements.empty() || property.name.empty() || !hasAType(property)) return wrong();
+      elements.back().properties.push_back(std::move(property));
     } else if (word == "end_header") {
-      for (const std::string axis : {"x", "y", "z"}) {
-        if (std::ranges::count(vertex_properties, axis) != 1) return wrong();
-      }
-      return has_faces ? Result<void>{} : wrong();
+      if (!has("face") || !isReadable(elements.back())) return wrong();
+      return {};
     } else if (word != "comment" && word != "obj_info") {
       return wrong();
     }

@@ -109,6 +109,48 @@ TEST(MeshText, APlyHeaderThatIsWrongIsRefusedBeforeItIsRead) {
             "the ply header does not end");
 }
 
+TEST(MeshText, APlyHeaderThatWouldEndOrHoldItsReaderIsRefused) {
+  const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+  const auto errorOf = [](const std::string& elements) {
+    const auto soup = parseMesh("ply\nformat ascii 1.0\n" + elements + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+                                MeshFormat::ply, LengthUnit::mm);
+    return soup ? std::string() : soup.error().text();
+  };
+  ASSERT_EQ(errorOf(vertices + faces), "");
+  const auto with = [&](const std::string& old, const std::string& now) {
+    std::string out = vertices + faces;
+    return out.replace(out.find(old), old.size(), now);
+  };
+  for (const std::string& elements : {
+           with("float z", "short z"),                                   // a place that is no real number
+           with("float z", "list uchar float z"),                        // or many
+           "element vertices 1\nproperty short x\n" + vertices + faces,  // by another name
+           vertices + "element halfedge 1\nproperty int source\n" + faces,
+           with("uchar int", "int int"),               // two billion corners of three bytes
+           with("uchar int", "double int"),            // a count that is no integer
+           with("uchar int", "uchar short"),           // corners that are never looked at
+           "element nothing 20\n" + vertices + faces,  // many items of no bytes
+           vertices + vertices + faces,
+           vertices + faces + "property uchar red\nproperty float green\nproperty uchar g\nproperty uchar blue\n",
+       }) {
+    EXPECT_NE(errorOf(elements).find("ply header, line "), std::string::npos) << elements << errorOf(elements);
+  }
+}
+
+TEST(MeshText, WhatElseAPlyFileHasIsPassedOver) {
+  const auto soup = parseMesh(
+      "ply\nformat ascii 1.0\ncomment made by hand\nobj_info none\nelement vertex 3\nproperty double x\nproperty "
+      "float32 y\n"
+      "property float64 z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement material 1\n"
+      "property int number\nelement face 1\nproperty uchar flags\nproperty list uint8 uint32 vertex_index\nend_header\n"
+      "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 0 0 255\n7\n1 3 0 1 2\n",
+      MeshFormat::ply, LengthUnit::mm);
+  ASSERT_TRUE(soup) << soup.error().text();
+  EXPECT_EQ(soup->triangles.size(), 1U);
+  EXPECT_EQ(soup->vertices[1].x, 1.0);
+}
+
 TEST(MeshText, ByTheEndOfTheName) {
   EXPECT_EQ(meshFormatOf("a/B.STL").value(), MeshFormat::stl);
   EXPECT_EQ(meshFormatOf("a.b.obj").value(), MeshFormat::obj);
