@@ -232,7 +232,7 @@ std::span<const Datagram> LinkTouchpadEnd::advance(Instant now, const TouchpadAn
   }
   // Not to a robot that is lost: what fills its line would keep it lost.
   const bool images = images_on_ && (phase_ == LinkPhase::running || phase_ == LinkPhase::paused);
-  if (images && !answer.image.empty() && images_.begin(answer.image)) ++counters_.images;
+  if (images && images_.begin(answer.image)) ++counters_.images;
   for (int i = 0; i < kFragmentsAtOnce && images && images_.busy(); ++i) {
     outbox_.seal(connection_->sealer(), *peer_, [&](auto out) { return encodeLink(images_.next(), now_us_, out); });
   }

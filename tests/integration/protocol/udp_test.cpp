@@ -89,6 +89,18 @@ TEST(UdpSocket, WaitsNoLongerThanAsked) {
   EXPECT_GE(Clock::now() - before, milliseconds(20));
 }
 
+TEST(UdpSocket, OfSeveralAnyThatHasADatagramEndsTheWaiting) {
+  UdpSocket first = opened("127.0.0.1:0");
+  UdpSocket second = opened("127.0.0.2:0");
+  const std::array<const UdpSocket*, 2> both{&first, &second};
+  EXPECT_FALSE(waitForAny(both, Duration::zero()));
+  EXPECT_FALSE(waitForAny({}, milliseconds(1))) << "none at all";
+  ASSERT_EQ(first.send(std::array<std::uint8_t, 1>{7}, second.local()), SendOutcome::sent);
+  EXPECT_TRUE(waitForAny(both, kPatience));
+  EXPECT_FALSE(waitForAny(std::span(both).first(1), Duration::zero())) << "it is the other's";
+  EXPECT_TRUE(waitForAny(both, Duration::zero())) << "it is still there";
+}
+
 TEST(UdpSocket, PortNobodyListensOnIsNoFailureOfTheReceiver) {
   UdpSocket socket = opened("127.0.0.1:0");
   const Endpoint nobody = opened("127.0.0.1:0").local();  // closed again at once

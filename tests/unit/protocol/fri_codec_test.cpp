@@ -193,6 +193,12 @@ TEST(FriCodec, WrongHeadIsRefusedWithItsReason) {
     b[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value);
     EXPECT_EQ(decodeFriMeasurement(b, m), FriRefusal::unknown_value) << at;
   }
+  FriCommand c;
+  CommandBytes command = encodeFriCommand({});
+  command[4] ^= 1;
+  EXPECT_EQ(decodeFriCommand(command, c), FriRefusal::wrong_size_field);
+  command[7] ^= 1;
+  EXPECT_EQ(decodeFriCommand(command, c), FriRefusal::wrong_id);
 }
 
 TEST(FriCodec, NumbersThatAreNoneAreRefusedWhereverTheyStand) {

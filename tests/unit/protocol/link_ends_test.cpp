@@ -202,6 +202,36 @@ TEST(LinkEnds, PicturesArriveWholeThoughFragmentsAreReorderedAndSomeLost) {
   EXPECT_EQ(pair.images, before);
 }
 
+TEST(LinkEnds, OfPicturesTheLargestArrivesAndALargerOneIsNotSent) {
+  LinkPair pair;
+  ASSERT_TRUE(pair.connect());
+  pair.robot.command(RobotCommand::images_on);
+  pair.run(0.5);
+  EXPECT_EQ(pair.touchpad.counters().images, 0U) << "there is none yet";
+  const Packet larger(kMaximumLinkImage + 1, 7);
+  pair.answer.image = larger;
+  pair.run(0.5);
+  EXPECT_EQ(pair.touchpad.counters().images, 0U);
+  const Packet largest(kMaximumLinkImage, 8);
+  pair.answer.image = largest;
+  ASSERT_TRUE(pair.runUntil([&] { return pair.images > 0; }, 2.0));
+  EXPECT_EQ(Packet(pair.robot.image().begin(), pair.robot.image().end()), largest);
+}
+
+TEST(LinkEnds, PicturesGoOnInAPause) {
+  LinkPair pair;
+  const Packet picture(5'000, 7);
+  ASSERT_TRUE(pair.connect());
+  pair.answer.image = picture;
+  pair.robot.command(RobotCommand::images_on);
+  pair.robot.command(RobotCommand::send_info_and_pause);
+  ASSERT_TRUE(pair.runUntil([&] { return pair.touchpad.phase() == LinkPhase::paused; }, 2.0));
+  pair.run(0.1);
+  const auto before = pair.images;
+  pair.run(0.5);
+  EXPECT_GT(pair.images, before + 10);
+}
+
 TEST(LinkEnds, ARobotThatIsLostGetsNoPicturesMore) {
   LinkPair pair;
   ASSERT_TRUE(pair.connect());

@@ -1,16 +1,15 @@
 // What a peer that holds the key may still send wrongly, at each end of FYD Link: refused for the reason that the page
 // gives (manual/protocol.md), counted, and nothing of it used. The other end is played by hand.
-#include <csignal>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "core/protocol/link/image_transfer.h"
 #include "core/protocol/link/link_key_file.h"
+#include "tests/files_of_at_most.h"
 #include "tests/temporary_folder.h"
 #include "tests/unit/protocol/link_pair.h"
 
@@ -67,6 +66,7 @@ class TouchpadAgainstHands : public testing::Test {
 
     Packet give(const Packet& datagram) {
       const auto& got = at_.touchpad.handle(datagram, address_, at_.now, at_.answer);
+      at_.told = got.state;
       return got.replies.empty() ? Packet{} : Packet(got.replies[0].bytes.begin(), got.replies[0].bytes.end());
     }
     Cookie cookie() {
@@ -80,14 +80,14 @@ class TouchpadAgainstHands : public testing::Test {
     /// @return the answer to a call with this self-description
     Packet call(const Packet& description, const LinkKey& key = testKey()) {
       caller_.emplace(key, cookie(), seededRandom);
-      Packet out(kMaximumLinkDatagram);
-      out.resize(caller_->write(description, out));
-      return give(out);
+      called.resize(kMaximumLinkDatagram);
+      called.resize(caller_->write(description, called));
+      return give(called);
     }
     /// Up to the heartbeat that would make the session.
     void prepare() {
       std::array<std::uint8_t, kMaximumLinkDatagram> plain{};
-      const Packet answered = call(vectorBytes("robot_hello"));
+      const Packet answered = call(description);
       const auto payload = caller_->read(answered, plain);
       ASSERT_TRUE(payload);
       const auto hello = decodeTouchpadHello(*payload);
@@ -115,7 +115,7 @@ class TouchpadAgainstHands : public testing::Test {
       return written([&](auto out) { return encodeLink(LinkHeartbeat{.echo_us = told_us_}, time(), out); });
     }
     Packet state(std::size_t accelerations = 0) {
-      LinkState out{.sequence = ++sequence_};
+      LinkState out{.sequence = ++sequence_, .robot = {.force_N = force_N}};
       for (std::size_t i = 0; i < accelerations; ++i) EXPECT_TRUE(out.accelerations.push({.age_s = 0.001}));
       return written([&](auto to) { return encodeLink(out, code_, time(), to); });
     }
@@ -125,6 +125,9 @@ class TouchpadAgainstHands : public testing::Test {
           {static_cast<std::uint8_t>(id), static_cast<std::uint8_t>(id >> 8U), static_cast<std::uint8_t>(number)});
     }
     CallStatus status = CallStatus::accepted;
+    Packet called;  ///< the last call's datagram
+    Packet description = vectorBytes("robot_hello");
+    double force_N = pipeline::RobotState{}.force_N;  ///< of its states
 
    private:
     TouchpadAgainstHands& at_;
@@ -160,6 +163,7 @@ class TouchpadAgainstHands : public testing::Test {
   Instant now = begin;
   LinkTouchpadEnd touchpad{LinkParameters{}, testKey(), seededRandom};
   TouchpadAnswer answer;
+  std::optional<pipeline::RobotState> told;  ///< by the last datagram
 };
 
 TEST_F(TouchpadAgainstHands, MessagesThatAreNotAsThePageHasThemAreRefused) {
@@ -270,6 +274,79 @@ TEST_F(TouchpadAgainstHands, ARobotThatComesBackKeepsItsPlaceAgainstOneThatIsNot
   third.prepare();
   EXPECT_EQ(third.status, CallStatus::second_robot);
   EXPECT_EQ(touchpad.peer(), linkAddress(1));
+}
+
+TEST_F(TouchpadAgainstHands, AStateConfirmsACallWhoseHeartbeatCameTooEarly) {
+  Robot first(*this, 1);
+  Robot second(*this, 2);
+  first.connect();
+  wait(1001);
+  second.prepare();
+  EXPECT_TRUE(first.seal(first.state()).empty());
+  expectRefused([&] { return second.seal(second.heartbeat()); }, LinkRefusal::second_robot, "the first spoke again");
+  const auto heartbeats = touchpad.counters().heartbeats;
+  wait(990);
+  expectRefused([&] { return second.seal(second.state()); }, LinkRefusal::second_robot, "it is not silent long enough");
+  wait(10);
+  second.seal(second.state());
+  EXPECT_EQ(touchpad.peer(), linkAddress(2)) << "its clock is known from the heartbeat";
+  EXPECT_EQ(touchpad.counters().sessions, 2U);
+  EXPECT_EQ(touchpad.counters().heartbeats, heartbeats) << "none was taken in";
+}
+
+TEST_F(TouchpadAgainstHands, TheForceOfARobotThatTellsNoneIsNotUsed) {
+  Robot silent(*this, 1);
+  silent.description[38] &= static_cast<std::uint8_t>(~8U);  // capabilities, behind time, rates and workspace
+  silent.force_N = 2.5;
+  silent.connect();
+  ASSERT_TRUE(told);
+  EXPECT_TRUE(std::isnan(told->force_N));
+  silent.seal(byHand(7, 0, silent.time(), {0}));
+  Robot telling(*this, 2);
+  telling.force_N = 2.5;
+  telling.connect();
+  ASSERT_TRUE(told);
+  EXPECT_NEAR(told->force_N, 2.5, 0.001);
+}
+
+TEST_F(TouchpadAgainstHands, AHeartbeatThatEchoesWhatIsLongAgoMeasuresNothing) {
+  Robot robot(*this, 1);
+  robot.connect();
+  const auto heartbeats = touchpad.counters().heartbeats;
+  const auto refusals = touchpad.refusals();
+  robot.seal(robot.heartbeat());
+  EXPECT_EQ(touchpad.counters().heartbeats, heartbeats + 1);
+  wait(700);  // a round trip of twice link.freshness_ms may be measured
+  robot.seal(robot.heartbeat());
+  EXPECT_EQ(touchpad.counters().heartbeats, heartbeats + 1);
+  EXPECT_EQ(touchpad.refusals(), refusals) << "it is fresh by its own time";
+}
+
+TEST_F(TouchpadAgainstHands, AfterAGoodbyeAnotherRobotNeedNotWaitForSilence) {
+  Robot first(*this, 1);
+  Robot second(*this, 2);
+  first.connect();
+  first.seal(byHand(7, 0, first.time(), {0}));
+  ASSERT_EQ(touchpad.phase(), pipeline::LinkPhase::closed);
+  second.connect();
+  EXPECT_EQ(second.status, CallStatus::accepted);
+}
+
+TEST_F(TouchpadAgainstHands, ACallIsAnsweredAgainOnlyWhileItIsTheLastOfItsCaller) {
+  Robot robot(*this, 1);
+  const Packet answer = robot.call(vectorBytes("robot_hello"));
+  ASSERT_FALSE(answer.empty());
+  const Packet call = robot.called;
+  EXPECT_EQ(robot.give(call), answer) << "the answer was lost on the way";
+
+  // The caller's key under the cookie of another address, as one who has the key may write it.
+  Robot other(*this, 2);
+  Packet elsewhere = call;
+  std::ranges::copy(other.cookie(), elsewhere.begin() + 2);
+  expectRefused([&] { return other.give(elsewhere); }, LinkRefusal::repeated, "from another address");
+
+  ASSERT_FALSE(robot.call(vectorBytes("robot_hello")).empty());
+  expectRefused([&] { return robot.give(call); }, LinkRefusal::repeated, "it has called anew");
 }
 
 TEST_F(TouchpadAgainstHands, AConfirmationThatIsDamagedConfirmsNothing) {
@@ -470,6 +547,36 @@ TEST_F(RobotAgainstHands, MessagesThatAreNotAsThePageHasThemAreRefused) {
   EXPECT_EQ(robot.boardText(), "b");
 }
 
+constexpr std::uint32_t kTwoFragments = 2 * kImageFragment;
+
+TEST_F(RobotAgainstHands, EachFragmentOfAPictureIsTakenOnceAndAnOlderPictureNeverAgain) {
+  connect();
+  const auto completes = [&](std::uint8_t picture, std::uint8_t index, std::uint32_t size = kTwoFragments) {
+    Packet body{picture, 0};
+    for (unsigned i = 0; i < 4; ++i) body.push_back(static_cast<std::uint8_t>(size >> (8 * i)));
+    body.insert(body.end(), {index, 0});
+    body.resize(body.size() + std::min<std::size_t>(kImageFragment, size - index * kImageFragment), picture);
+    return seal(byHand(8, 0, time(), body)).image;
+  };
+  EXPECT_FALSE(completes(5, 0));
+  EXPECT_FALSE(completes(5, 0)) << "twice the same is not both";
+  EXPECT_FALSE(completes(4, 1)) << "of the picture before";
+  EXPECT_TRUE(completes(5, 1));
+  EXPECT_FALSE(completes(5, 1)) << "it is whole already";
+  EXPECT_EQ(Packet(robot.image().begin(), robot.image().end()), Packet(kTwoFragments, 5));
+  EXPECT_FALSE(completes(5, 0, kTwoFragments - 1)) << "the same number, another length: begins anew";
+  EXPECT_TRUE(completes(5, 1, kTwoFragments - 1));
+  EXPECT_EQ(robot.image().size(), kTwoFragments - 1);
+
+  seal(byHand(7, 0, time(), {0}));
+  ASSERT_EQ(robot.phase(), RobotPhase::handshake);
+  now += LinkRobotSettings{}.refused_pause;
+  connect();
+  EXPECT_FALSE(completes(1, 0)) << "in a new session, numbers begin anew";
+  EXPECT_TRUE(completes(1, 1));
+  EXPECT_EQ(robot.refusals(), LinkRefusalCounters{});
+}
+
 TEST_F(RobotAgainstHands, ItsOperatorMayLeaveBeforeATouchpadAnswers) {
   EXPECT_TRUE(robot.command(pipeline::RobotCommand::none)) << "nothing to be done";
   static_cast<void>(tick());
@@ -545,25 +652,6 @@ TEST(ImageSender, RefusesWhatIsEmptyTooLongOrComesWhileItIsBusy) {
   EXPECT_TRUE(sender.begin(Packet(1)));
 }
 
-TEST(ImageReceiver, TakesEachFragmentOnceAndAnOlderPictureNeverAgain) {
-  ImageReceiver receiver;
-  const Packet whole(kImageFragment, 7);
-  const auto fragment = [&](std::uint16_t picture, std::uint16_t index) {
-    return LinkImageFragment{.picture = picture, .size = 2 * kImageFragment, .index = index, .bytes = whole};
-  };
-  EXPECT_FALSE(receiver.take(fragment(5, 0)));
-  EXPECT_FALSE(receiver.take(fragment(5, 0))) << "twice the same is not both";
-  EXPECT_FALSE(receiver.take(fragment(4, 1))) << "of the picture before";
-  EXPECT_TRUE(receiver.take(fragment(5, 1)));
-  EXPECT_EQ(receiver.image().size(), 2 * kImageFragment);
-  LinkImageFragment other = fragment(5, 0);
-  other.size = 2 * kImageFragment - 1;
-  EXPECT_FALSE(receiver.take(other)) << "the same number, another length: begins anew";
-  receiver.reset();
-  EXPECT_FALSE(receiver.take(fragment(1, 0))) << "after a new session, numbers begin anew";
-  EXPECT_TRUE(receiver.take(fragment(1, 1)));
-}
-
 TEST(LinkKeyFile, OfAnotherSystemsEditorIsReadAndALongFileIsNone) {
   const Folder folder;
   const std::string path = folder.file("key");
@@ -581,14 +669,10 @@ TEST(LinkKeyFile, OfAnotherSystemsEditorIsReadAndALongFileIsNone) {
 
 TEST(LinkKeyFile, ThatCannotBeWrittenWholeIsNotLeftBehind) {
   const Folder folder;
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{.rlim_cur = 20, .rlim_max = before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const auto done = writeKeyFile(testKey(), folder.file("key"));
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
+  const auto done = [&] {
+    const FilesOfAtMost small(20);
+    return writeKeyFile(testKey(), folder.file("key"));
+  }();
   ASSERT_FALSE(done);
   EXPECT_THAT(done.error().text(), testing::HasSubstr("File too large"));
   EXPECT_FALSE(std::ifstream(folder.file("key")).good());

@@ -142,6 +142,12 @@ TEST(TouchMapping, APlaceThatIsNoNumberKeepsTheLast) {
   EXPECT_EQ(mapping.apply({.position_mm = {kNaN, 0, 0}}), (Vec3{1, 2, 3}));
 }
 
+TEST(TouchMapping, AWeightThatIsNoNumberMovesNothing) {
+  TouchMapping mapping({.keep_z = kNaN});
+  mapping.reset({1, 2, 3});
+  EXPECT_EQ(mapping.apply({.position_mm = {4, 5, -6}, .in_contact = true}), (Vec3{1, 2, 3}));
+}
+
 TEST(LinkEnds, ATouchSaysWhereThePictureShowedTheFingerAndWhen) {
   LinkPair pair;
   ASSERT_TRUE(pair.connect());
