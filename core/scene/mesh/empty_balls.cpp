@@ -16,7 +16,8 @@ constexpr double kRoundingOfFloats = 1e-6;   // likewise
 constexpr float kRoundingOfSquares = 1e-6F;  // of a square
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kShrink = 1.0 - 1e-3;  // a ball shrinks by this below the size that touches, so that few turns suffice
-constexpr int kMostBallTurns = 12;
+constexpr int kMostBallTurns = 48;
+constexpr int kTurnsToConverge = 12;  // from then on the ball is halved in each turn: of a smaller one more is certain
 
 /// The largest radius of a ball that touches a triangle T and holds nothing of a body that rises at most `high` over
 /// T's plane and is at least `away` from T, measured along the plane. Infinite if it does not rise over the plane.
@@ -79,8 +80,9 @@ struct TriangleTree::EmptyBalls {
       const double rounding = slack_mm * (std::sqrt(far) + std::abs(high));
       if (g + least(other, by_q) - dot(q, by_q) + least(corners, by_f) - dot(f, by_f) >= rounding) return;
       if (g < rounding) r = high > 0.0 ? std::min(r, kShrink * std::max(0.0, far - rounding) / (2.0 * high)) : 0.0;
+      if (turn >= kTurnsToConverge) r *= 0.5;
     }
-    r = 0.5 * r;  // not converged
+    r = 0.0;  // of no ball it is certain
   }
 
   /// largestBallBeside of a node's four discs, for each side.

@@ -78,6 +78,19 @@ TriangleSoup crumpled(unsigned seed) {
   return soup;
 }
 
+/// Corners of a coarse grid, joined anyhow: many triangles touch or cross each other without a common vertex.
+TriangleSoup touching(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> any(0, 2);
+  TriangleSoup soup;
+  for (int v = 0; v < 40; ++v) {
+    soup.vertices.push_back({5.0 * any(random), 5.0 * any(random), 20.0 * any(random)});
+  }
+  std::uniform_int_distribution<std::uint32_t> which(0, 39);
+  for (int t = 0; t < 30; ++t) soup.triangles.push_back({which(random), which(random), which(random)});
+  return soup;
+}
+
 /// Steps of 0.1 mm, now and then a leap, near the mesh and far from it, along its edges and exactly on its vertices.
 template <class Each>
 void wander(const Mesh& mesh, int steps, unsigned seed, Each each) {
@@ -146,6 +159,7 @@ TEST(NearestPoint, HardMeshesAreAsNearAsTheWholeSearch) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     expectWholeSearch(Searched(chaos(seed)), 20'000, seed);
     expectWholeSearch(Searched(crumpled(seed)), 20'000, seed);
+    expectWholeSearch(Searched(touching(seed)), 20'000, seed);
   }
 }
 
