@@ -21,6 +21,7 @@ namespace fyd::scene {
 namespace {
 
 constexpr std::size_t kLongestQuoted = 60;
+constexpr std::size_t kMostPlyElements = 100;  // far more than any file has
 
 struct PlyProperty {
   std::string name, type;
@@ -106,6 +107,7 @@ Result<void> checkPlyHeader(std::string_view bytes) {
       std::uint64_t count = 0;
       if (!(line >> element.name >> count) || count > bytes.size()) return wrong();
       if (!elements.empty() && !isReadable(elements.back())) return wrong();
+      if (elements.size() == kMostPlyElements) return wrong();
       if (has(element.name) || (element.name == "face" && !has("vertex"))) return wrong();
       elements.push_back(std::move(element));
     } else if (word == "property") {

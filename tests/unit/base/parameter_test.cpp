@@ -105,6 +105,34 @@ TEST(Parameter, ARefusalNamesFileLineValueAndRange) {
   EXPECT_EQ(problem("gain = 1\n"), "p.toml:1: 'gain' stands outside a table; expected a table such as [control]");
 }
 
+TEST(Parameter, AKeyOfManyPartsIsRefused) {
+  std::string parts = "a";
+  for (int i = 0; i < 200'000; ++i) parts += ".a";
+  const std::string refusal = "p.toml:2: a key of more than 16 parts; expected a table and a name";
+  EXPECT_EQ(problem("\n[" + parts + "]\n"), refusal);
+  EXPECT_EQ(problem("\n[[" + parts + "]]\n"), refusal);
+  EXPECT_EQ(problem("\n" + parts + " = 1\n"), refusal);
+  EXPECT_EQ(problem("#\"\nx = { " + parts + " = 1 }\n"), refusal);
+  std::string quoted = "\",\"";
+  for (int i = 0; i < 200'000; ++i) quoted += " . \"\\\",=\".'#\"'";
+  EXPECT_EQ(problem("\n" + quoted + " = 1\n"), refusal);
+  for (const std::string before :
+       {"x = \"\"\"a\"b\\\"\"\"\"\"\"", "x = '''a'b'''''", "x = '\\'", "x = \"\\\\\"", "x = ''", "x = 1 # '"}) {
+    EXPECT_EQ(problem(before + "\n" + parts + " = 1\n"), refusal) << before;
+  }
+}
+
+TEST(Parameter, DotsElsewhereThanInAKeyAreNotCounted) {
+  const std::string many(100, '.');
+  EXPECT_EQ(problem("# " + many + "\n[other]\nwhere = \"" + many + "\"\n"), "none");
+  EXPECT_EQ(problem("[other]\nwhere = '" + many + "'  # " + many + "\n"), "none");
+  EXPECT_EQ(problem("[other]\nwhere = \"\"\"" + many +
+                    "\"\"\"\"\"\npoints = [0.5,0.5,0.5,0.5,0.5,0.5,0.5,0.5,0.5,0.5,"
+                    "0.5,0.5,0.5,0.5,0.5,0.5]\n"),
+            "none");
+  EXPECT_NE(problem("a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p = 1\n"), problem("a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q = 1\n"));
+}
+
 TEST(Parameter, ARefusedProfileChangesNothing) {
   Sample sample;
   EXPECT_FALSE(parseProfile("[room]\ngain = 1\ncount = 99\n", "p.toml", bindParameters(sample)));

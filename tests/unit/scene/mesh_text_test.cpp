@@ -122,7 +122,10 @@ TEST(MeshText, APlyHeaderThatWouldEndOrHoldItsReaderIsRefused) {
     std::string out = vertices + faces;
     return out.replace(out.find(old), old.size(), now);
   };
+  std::string many;
+  for (int i = 0; i < 100; ++i) many += "element e" + std::to_string(i) + " 0\nproperty int i\n";
   for (const std::string& elements : {
+           many + vertices + faces,
            with("float z", "short z"),                                   // a place that is no real number
            with("float z", "list uchar float z"),                        // or many
            "element vertices 1\nproperty short x\n" + vertices + faces,  // by another name

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/bench/parts/allocation_count.h"
 #include "core/texture/recording.h"
 #include "tests/not_a_number.h"
 
@@ -180,6 +181,29 @@ TEST(Recording, SaysWhatIsWrongAndWhere) {
   const auto far = parseRecording("t_s,ax,ay,az\n0,1,1,1\n0.001,1,1,1\n1e9,1,1,1\n", "r.csv", 0.0);
   ASSERT_TRUE(far);
   EXPECT_FALSE(makeUniform(*far, 1000.0));
+}
+
+TEST(Recording, TimesWithinANanosecondAreOneInstant) {
+  const std::string text = "t_s,ax,ay,az\n0,1,1,1\n1e-12,1,1,1\n";
+  const auto refused = parseRecording(text, "r.csv", 0.0);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), "r.csv: fewer than two different times: the sample rate is unknown");
+  const auto known = parseRecording(text, "r.csv", 500.0);
+  ASSERT_TRUE(known);
+  EXPECT_EQ(known->rate_Hz, 500.0);
+  const auto uniform = makeUniform(*known, 500.0);
+  ASSERT_TRUE(uniform);
+  EXPECT_EQ(uniform->steps.size(), 1U);
+}
+
+TEST(Recording, OfALineOfManyNamesOnlyAsManyAreKeptAsATableMayHave) {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += "a name of twenty bytes,";
+  const bench::AllocationCount allocations;
+  const auto refused = parseRecording(text + "\n1\n", "r.csv", 0.0);
+  EXPECT_LT(allocations.count(), 10'000U);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), "r.csv:1: more than 1000 columns; expected a table of measurements");
 }
 
 TEST(Recording, ResamplesToAnotherRate) {
