@@ -89,7 +89,10 @@ Result<CatalogueAddress> parseCatalogueAddress(std::string_view word) {
   if (word.empty() || word == "sqlite") return sqlite(catalogueFolder() + "/sessions.sqlite");
   if (word.starts_with(kSqlite)) return sqlite(std::string(word.substr(kSqlite.size())));
   if (word.find('/') != std::string_view::npos || word.ends_with(".sqlite")) return sqlite(std::string(word));
-  return fail("catalogue '{}': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none", word);
+  // Words for libpq without the first one may hold a password, too.
+  const std::size_t value = word.find('=');
+  return fail("catalogue '{}': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none",
+              value == std::string_view::npos ? std::string(word) : fmt::format("{}=…", word.substr(0, value)));
 }
 
 std::string catalogueFolder() {

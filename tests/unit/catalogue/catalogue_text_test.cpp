@@ -34,9 +34,9 @@ TEST(CatalogueAddress, NamesSqliteOrPostgresql) {
 }
 
 TEST(CatalogueAddress, APasswordIsRefusedAndNeverRepeated) {
-  for (const char* word :
-       {"postgresql:host=lab password=hunter2", "postgresql:host=lab password = 'hunter2'",
-        "postgresql://jo:hunter2@lab/fyd", "postgresql:host=lab sslpassword=hunter2", "postgresql:host=lab hunter2"}) {
+  for (const char* word : {"postgresql:host=lab password=hunter2", "postgresql:host=lab password = 'hunter2'",
+                           "postgresql://jo:hunter2@lab/fyd", "postgresql:host=lab sslpassword=hunter2",
+                           "postgresql:host=lab hunter2", "host=lab password=hunter2"}) {
     const auto parsed = parseCatalogueAddress(word);
     ASSERT_FALSE(parsed) << word;
     EXPECT_THAT(parsed.error().text(), Not(HasSubstr("hunter2")));
