@@ -1,5 +1,6 @@
 #include "core/base/csv.h"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -105,7 +106,9 @@ Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, c
   bool parsed = true;
   reader.line = 0;
   while (parsed && !text.empty()) {  // line by line, because libcsv does not count the blank ones
-    const std::string_view line = text.substr(0, text.find('\n') == text.npos ? text.size() : text.find('\n') + 1);
+    std::size_t size = std::min(text.find_first_of("\r\n"), text.size() - 1) + 1;
+    if (text.substr(size - 1).starts_with("\r\n")) ++size;
+    const std::string_view line = text.substr(0, size);
     ++reader.line;
     parsed = csv_parse(&parser, line.data(), line.size(), on_field, on_row, &reader) == line.size();
     text.remove_prefix(line.size());

@@ -1,7 +1,44 @@
 #include "core/base/toml_parameters.h"
 
+#include <algorithm>
+
 namespace fyd {
 namespace {
+
+/// Line of the first key of more than kMostKeyParts, 0 when there is none. Right up to the place where the text is no
+/// longer TOML.
+std::size_t lineOfTooDeepKey(std::string_view text) {
+  std::size_t line = 1, dots = 0, i = 0;
+  std::string_view quotes;  // of the string around this place
+  while (i < text.size()) {
+    const std::string_view rest = text.substr(i);
+    const char c = rest.front();
+    if (c == '\n') ++line;
+    if (!quotes.empty()) {
+      const bool escaped = c == '\\' && quotes.front() == '"' && rest.size() > 1 && rest[1] != '\n';
+      const bool closed = rest.starts_with(quotes) || (quotes.size() == 1 && c == '\n');
+      const char quote = quotes.front();
+      i += escaped ? 2 : (closed ? (c == '\n' ? 1 : quotes.size()) : 1);
+      if (!closed) continue;
+      // A text in three quotes may end with one or two of them.
+      for (int more = 0; quotes.size() == 3 && more < 2 && i < text.size() && text[i] == quote; ++more) ++i;
+      quotes = {};
+    } else if (c == '"' || c == '\'') {
+      quotes = rest.substr(0, rest.size() >= 3 && rest[1] == c && rest[2] == c ? 3 : 1);
+      i += quotes.size();
+    } else if (c == '#') {
+      i += std::min(rest.find('\n'), rest.size());
+    } else {
+      if (c == '.') {
+        if (++dots >= kMostKeyParts) return line;
+      } else if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) {
+        dots = 0;
+      }
+      ++i;
+    }
+  }
+  return 0;
+}
 
 Result<double> readNumber(const Parameter& parameter, const toml::node& node, Ranges ranges) {
   if (parameter.kind == ParameterKind::boolean) {
@@ -52,6 +89,9 @@ Result<TomlAssignment> readAssignment(const Parameter& parameter, const toml::no
 }  // namespace
 
 Result<toml::table> parseToml(std::string_view text, std::string_view source_name) {
+  if (const std::size_t line = lineOfTooDeepKey(text); line != 0) {
+    return fail("{}:{}: a key of more than {} parts; expected a table and a name", source_name, line, kMostKeyParts);
+  }
   try {
     return static_cast<toml::table>(toml::parse(text, source_name));
   } catch (const toml::parse_error& error) {

@@ -1,5 +1,5 @@
 // Tables of a TOML text as parameters: strict, with file, line and what is allowed in every error. Included
-// only by the sources of the readers (profile, scene), not by their callers.
+// only by the sources of the readers, not by their callers.
 #pragma once
 
 #include <span>
@@ -14,7 +14,10 @@
 
 namespace fyd {
 
-/// @return an error with source name and line when it is not TOML
+/// More are refused: each part of a key is a table within a table, and toml++ destroys these by recursion.
+inline constexpr std::size_t kMostKeyParts = 16;
+
+/// @return an error with source name and line when it is not TOML, and for a key of more than kMostKeyParts
 [[nodiscard]] Result<toml::table> parseToml(std::string_view text, std::string_view source_name);
 
 /// "file:line", as every error of a reader begins.

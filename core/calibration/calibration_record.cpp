@@ -6,8 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include <toml++/toml.h>
-
+#include "core/base/toml_parameters.h"
 #include "core/calibration/calibration_part.h"
 
 namespace fyd::calibration {
@@ -227,12 +226,9 @@ std::string formatRecords(std::span<const CalibrationRecord> records) {
 }
 
 Result<std::vector<CalibrationRecord>> parseRecords(std::string_view text, std::string_view source_name) {
-  toml::table root;
-  try {
-    root = toml::parse(text, source_name);
-  } catch (const toml::parse_error& error) {
-    return fail(about(fmt::format("{}:{}", source_name, error.source().begin.line), verbatim(error.description())));
-  }
+  const auto parsed = parseToml(text, source_name);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const toml::table& root = *parsed;
   const auto format = root["format"].value_exact<std::int64_t>();
   if (!format) return fail("{}: no 'format'; expected a record of calibrations, format = {}", source_name, kFormat);
   if (*format < kFirstFormat || *format > kFormat) {

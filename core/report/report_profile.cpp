@@ -1,11 +1,9 @@
 // Gains and calibration of a report, from the profile stored in a recording.
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <sstream>
-#include <utility>
 
+#include "core/base/toml_parameters.h"
 #include "core/pipeline/parameters.h"
 #include "core/report/report_content.h"
 
@@ -36,11 +34,9 @@ ReportTable profileTable(const std::string& profile_toml) {
     table.remark = "The recording carries no profile.";
     return table;
   }
-  toml::table parsed;
-  try {
-    parsed = toml::parse(profile_toml);
-  } catch (const toml::parse_error& error) {
-    table.remark = fmt::format("The recording's profile cannot be read: {}.", error.description());
+  const auto parsed = parseToml(profile_toml, "profile");
+  if (!parsed) {
+    table.remark = fmt::format("The recording's profile cannot be read: {}.", parsed.error().text());
     return table;
   }
   pipeline::Parameters used;
@@ -49,8 +45,7 @@ ReportTable profileTable(const std::string& profile_toml) {
   const std::vector<Parameter> originals = bindParameters(defaults);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t point = all[i].id.find('.');
-    const toml::node_view<const toml::node> node =
-        std::as_const(parsed)[all[i].id.substr(0, point)][all[i].id.substr(point + 1)];
+    const toml::node_view<const toml::node> node = (*parsed)[all[i].id.substr(0, point)][all[i].id.substr(point + 1)];
     if (!node && all[i].info.before_it_was) all[i].set(*all[i].info.before_it_was);  // of an older program
     std::string value = formatParameter(all[i]);
     if (node) {

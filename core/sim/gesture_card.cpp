@@ -5,9 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include <toml++/toml.h>
-
 #include "core/base/csv.h"
+#include "core/base/toml_parameters.h"
 #include "core/base/whole_file.h"
 
 namespace fyd::sim {
@@ -62,12 +61,9 @@ Result<void> checkHeader(const GestureCard& card, const std::string& place) {
 }
 
 Result<GestureCard> parseHeader(std::string_view text, const std::string& name) {
-  toml::table root;
-  try {
-    root = toml::parse(text, name);
-  } catch (const toml::parse_error& error) {
-    return fail(about(fmt::format("{}:{}", name, error.source().begin.line), verbatim(error.description())));
-  }
+  const auto parsed = parseToml(text, name);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const toml::table& root = *parsed;
   for (const auto& [key, node] : root) {
     if (std::ranges::find(kKeys, key.str()) == kKeys.end()) {
       return fail("{}:{}: {}: expected one of {}", name, node.source().begin.line, std::string(key.str()),

@@ -10,14 +10,16 @@
 namespace fyd::texture {
 namespace {
 
-constexpr double kMostSteps = 1e8;
+constexpr double kMostSteps = 1e7;           // of 32 bytes: two rows may be as far apart as they like
 constexpr double kLargestReduction = 100.0;  // of the rate; the stream's queue bounds it
 
+/// As many as a table may have, and one more.
 std::vector<std::string> fieldsOf(std::string_view line) {
   std::vector<std::string> out(1);
   for (const char c : line) {
     if (c == '\r' || c == '"' || c == ' ') continue;
     if (c == ',') {
+      if (out.size() > kMostCsvColumns) break;
       out.emplace_back();
     } else {
       out.back() += c;
@@ -45,10 +47,11 @@ Result<CsvTable> parseTable(std::string_view text, std::string_view source_name)
   return parseCsv(text, source_name, kTimed);
 }
 
+/// Times closer than a nanosecond are one instant.
 double medianSpacing(const std::vector<double>& times_s) {
   std::vector<double> spacings;
   for (std::size_t i = 1; i < times_s.size(); ++i) {
-    if (times_s[i] > times_s[i - 1]) spacings.push_back(times_s[i] - times_s[i - 1]);
+    if (const double spacing = times_s[i] - times_s[i - 1]; spacing >= 1e-9) spacings.push_back(spacing);
   }
   return median(std::move(spacings), Middle::lower);  // a gap beside one spacing does not count
 }

@@ -20,7 +20,7 @@ namespace fyd::texture {
 struct Recording {
   std::vector<AccelerationSample> samples;  ///< in order of time, from instant 0; values may be NaN
   double start_s = 0.0;                     ///< the first row's t_s
-  double rate_Hz = 0.0;                     ///< 1 / median spacing, or as given when there are no times
+  double rate_Hz = 0.0;                     ///< 1 / median spacing, or as given when there are no different times
 };
 
 /// CSV with columns t_s, ax, ay, az, in any order among others; or exactly three columns, x y z, then `rate_Hz` is

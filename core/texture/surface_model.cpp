@@ -4,8 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include <toml++/toml.h>
-
+#include "core/base/toml_parameters.h"
 #include "core/texture/surface_ranges.h"
 
 namespace fyd::texture {
@@ -113,12 +112,9 @@ Result<std::vector<SurfaceBand>> readBands(const toml::table& root, std::string_
 }  // namespace
 
 Result<SurfaceModel> parseSurface(std::string_view text, std::string_view source_name) {
-  toml::table root;
-  try {
-    root = toml::parse(text, source_name);
-  } catch (const toml::parse_error& error) {
-    return fail(about(fmt::format("{}:{}", source_name, error.source().begin.line), verbatim(error.description())));
-  }
+  const auto parsed = parseToml(text, source_name);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const toml::table& root = *parsed;
   const TableReader reader(root, source_name, "the surface");
   if (auto known = reader.onlyKnown(kModelKeys, {"name", "description", "band"}); !known) {
     return tl::unexpected(known.error());

@@ -10142,6 +10142,10 @@ Pour commencer : %1</translation>
         <translation>{}:1 : format = "{}" : "{}" attendu</translation>
     </message>
     <message>
+        <source>{}:{}: a key of more than {} parts; expected a table and a name</source>
+        <translation>{}:{} : une clé de plus de {} parties ; attendu une table et un nom</translation>
+    </message>
+    <message>
         <source>{}:{}: column {}: '{}' is not a number</source>
         <translation>{}:{} : colonne {} : '{}' n'est pas un nombre</translation>
     </message>

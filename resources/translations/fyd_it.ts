@@ -10142,6 +10142,10 @@ Per cominciare: %1</translation>
         <translation>{}:1: format = "{}": atteso "{}"</translation>
     </message>
     <message>
+        <source>{}:{}: a key of more than {} parts; expected a table and a name</source>
+        <translation>{}:{}: una chiave di più di {} parti; attesi una tabella e un nome</translation>
+    </message>
+    <message>
         <source>{}:{}: column {}: '{}' is not a number</source>
         <translation>{}:{}: colonna {}: '{}' non è un numero</translation>
     </message>

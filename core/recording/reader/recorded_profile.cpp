@@ -4,9 +4,8 @@
 #include <optional>
 #include <sstream>
 
-#include <toml++/toml.h>
-
 #include "core/base/profile_text.h"
+#include "core/base/toml_parameters.h"
 #include "core/pipeline/state_of_arithmetic_1.h"
 #include "core/scene/scene_bytes.h"
 
@@ -34,12 +33,10 @@ toml::table onlyKnown(const toml::table& profile, std::span<const Parameter> par
 Result<pipeline::Parameters> recordedParameters(const RecordingHeader& header) {
   pipeline::Parameters out;
   const std::vector<Parameter> bound = bindParameters(out);
+  const auto profile = parseToml(header.profile, kSource);
+  if (!profile) return tl::unexpected(profile.error());
   std::ostringstream text;
-  try {
-    text << onlyKnown(toml::parse(header.profile, kSource), bound);
-  } catch (const toml::parse_error& error) {
-    return fail(about(fmt::format("{}:{}", kSource, error.source().begin.line), verbatim(error.description())));
-  }
+  text << onlyKnown(*profile, bound);
   const std::vector<ProfileEntry> listed = profileEntries(header.profile);
   for (const Parameter& parameter : bound) {
     const auto names = [&parameter](const ProfileEntry& entry) { return entry.id == parameter.id; };

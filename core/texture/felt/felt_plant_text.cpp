@@ -3,9 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include <toml++/toml.h>
-
 #include "core/base/parameter.h"
+#include "core/base/toml_parameters.h"
 #include "core/texture/felt/felt_plant.h"
 
 namespace fyd::texture {
@@ -35,12 +34,9 @@ Result<void> take(const Parameter& parameter, std::string_view key, const toml::
 }  // namespace
 
 Result<FeltPlant> parsePlant(std::string_view text, std::string_view source_name, std::vector<std::string>* unknown) {
-  toml::table root;
-  try {
-    root = toml::parse(text, source_name);
-  } catch (const toml::parse_error& error) {
-    return fail(about(fmt::format("{}:{}", source_name, error.source().begin.line), verbatim(error.description())));
-  }
+  const auto parsed = parseToml(text, source_name);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const toml::table& root = *parsed;
   FeltPlant plant;
   plant.identified = true;
   const std::vector<Parameter> parameters = bindParameters(plant);

@@ -22,6 +22,12 @@ TEST(Csv, BlankLinesKeepTheLineNumbersTrue) {
   EXPECT_EQ(table.error().text(), "f.csv:5: column x: 'two' is not a number");
 }
 
+TEST(Csv, ACarriageReturnAloneEndsALineToo) {
+  const auto table = parseCsv("x\r\r1\rtwo", "f.csv", {"x"});
+  ASSERT_FALSE(table);
+  EXPECT_EQ(table.error().text(), "f.csv:4: column x: 'two' is not a number");
+}
+
 TEST(Csv, NamesWhatIsWrong) {
   const auto message = [](std::string_view text) {
     const auto table = parseCsv(text, "f.csv", {"t", "x"});
