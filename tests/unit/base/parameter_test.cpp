@@ -116,9 +116,10 @@ TEST(Parameter, AKeyOfManyPartsIsRefused) {
   std::string quoted = "\",\"";
   for (int i = 0; i < 200'000; ++i) quoted += " . \"\\\",=\".'#\"'";
   EXPECT_EQ(problem("\n" + quoted + " = 1\n"), refusal);
+  const std::string next = "\n" + parts + " = 1\n";
   for (const std::string before :
        {"x = \"\"\"a\"b\\\"\"\"\"\"\"", "x = '''a'b'''''", "x = '\\'", "x = \"\\\\\"", "x = ''", "x = 1 # '"}) {
-    EXPECT_EQ(problem(before + "\n" + parts + " = 1\n"), refusal) << before;
+    EXPECT_EQ(problem(before + next), refusal) << before;
   }
 }
 

@@ -117,24 +117,25 @@ TEST(MeshText, APlyHeaderThatWouldEndOrHoldItsReaderIsRefused) {
                                 MeshFormat::ply, LengthUnit::mm);
     return soup ? std::string() : soup.error().text();
   };
-  ASSERT_EQ(errorOf(vertices + faces), "");
+  const std::string mesh = vertices + faces;
+  ASSERT_EQ(errorOf(mesh), "");
   const auto with = [&](const std::string& old, const std::string& now) {
-    std::string out = vertices + faces;
+    std::string out = mesh;
     return out.replace(out.find(old), old.size(), now);
   };
   std::string many;
   for (int i = 0; i < 100; ++i) many += "element e" + std::to_string(i) + " 0\nproperty int i\n";
   for (const std::string& elements : {
-           many + vertices + faces,
-           with("float z", "short z"),                                   // a place that is no real number
-           with("float z", "list uchar float z"),                        // or many
-           "element vertices 1\nproperty short x\n" + vertices + faces,  // by another name
-           vertices + "element halfedge 1\nproperty int source\n" + faces,
-           with("uchar int", "int int"),               // two billion corners of three bytes
-           with("uchar int", "double int"),            // a count that is no integer
-           with("uchar int", "uchar short"),           // corners that are never looked at
-           "element nothing 20\n" + vertices + faces,  // many items of no bytes
-           vertices + vertices + faces,
+           many + mesh,
+           with("float z", "short z"),                       // a place that is no real number
+           with("float z", "list uchar float z"),            // or many
+           "element vertices 1\nproperty short x\n" + mesh,  // by another name
+           with("element face", "element halfedge 1\nproperty int source\nelement face"),
+           with("uchar int", "int int"),      // two billion corners of three bytes
+           with("uchar int", "double int"),   // a count that is no integer
+           with("uchar int", "uchar short"),  // corners that are never looked at
+           "element nothing 20\n" + mesh,     // many items of no bytes
+           vertices + mesh,
            vertices + faces + "property uchar red\nproperty float green\nproperty uchar g\nproperty uchar blue\n",
        }) {
     EXPECT_NE(errorOf(elements).find("ply header, line "), std::string::npos) << elements << errorOf(elements);
