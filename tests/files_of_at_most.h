@@ -3,9 +3,9 @@
 
 #include <sys/resource.h>
 
+#include <cerrno>
 #include <csignal>
-
-#include <gtest/gtest.h>
+#include <system_error>
 
 namespace fyd {
 
@@ -13,9 +13,9 @@ namespace fyd {
 class FilesOfAtMost {
  public:
   explicit FilesOfAtMost(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    EXPECT_EQ(::getrlimit(RLIMIT_FSIZE, &before_), 0);
+    if (::getrlimit(RLIMIT_FSIZE, &before_) != 0) throw std::system_error(errno, std::generic_category(), "getrlimit");
     const rlimit small{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
-    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    if (::setrlimit(RLIMIT_FSIZE, &small) != 0) throw std::system_error(errno, std::generic_category(), "setrlimit");
   }
   ~FilesOfAtMost() {
     ::setrlimit(RLIMIT_FSIZE, &before_);

@@ -30,8 +30,6 @@ using Json = nlohmann::ordered_json;
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-__extension__ using Wide = __int128;  // instants in a file are arbitrary: their sums must not overflow
-
 /// 0 when the text is no ISO 8601 time that nanoseconds since 1970 can tell, until 2262: times then count from the
 /// recording's start.
 std::chrono::nanoseconds sinceEpoch(const std::string& utc) {
@@ -138,13 +136,14 @@ class McapExport {
  private:
   [[nodiscard]] std::uint64_t nanoseconds(Instant when) const {
     const Duration started = recording_.info().header.started.time_since_epoch();
-    return bounded(Wide{epoch_.count()} + when.time_since_epoch().count() - started.count());
+    return bounded(recording::WideTime{epoch_.count()} + when.time_since_epoch().count() - started.count());
   }
   [[nodiscard]] std::uint64_t nanosecondsInto(double time_s) const {
-    return bounded(Wide{epoch_.count()} + fromSeconds(time_s).count());
+    return bounded(recording::WideTime{epoch_.count()} + fromSeconds(time_s).count());
   }
-  static std::uint64_t bounded(Wide time_ns) {
-    return static_cast<std::uint64_t>(std::clamp<Wide>(time_ns, 0, std::numeric_limits<std::int64_t>::max()));
+  static std::uint64_t bounded(recording::WideTime time_ns) {
+    return static_cast<std::uint64_t>(
+        std::clamp<recording::WideTime>(time_ns, 0, std::numeric_limits<std::int64_t>::max()));
   }
   static Json stamp(std::uint64_t time_ns) {
     return {{"sec", time_ns / 1'000'000'000}, {"nsec", time_ns % 1'000'000'000}};

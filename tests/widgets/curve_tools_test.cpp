@@ -1,10 +1,8 @@
 // What an operator does with the curves: cursors, choice, saving, the spectrum; a spike is seen at every zoom; hours
 // pass and nothing grows.
-#include <sys/resource.h>
 #include <QCheckBox>
 #include <QScrollArea>
 #include <cmath>
-#include <csignal>
 #include <numbers>
 #include <random>
 #include <set>
@@ -12,6 +10,7 @@
 #include <qcustomplot.h>
 
 #include "app/console/review/review_source.h"
+#include "tests/files_of_at_most.h"
 #include "tests/widgets/look_check.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
@@ -442,17 +441,13 @@ class CurveToolsTest : public QObject {
     f.tools->saver().setFolder(QStringLiteral("/proc/nothing"));
     f.key(Qt::Key_G, Qt::ControlModifier);
     WAIT_FOR(f.told().contains(QStringLiteral("/proc/nothing")));
-    // A full disk, as the system tells it: no file may grow beyond a kilobyte.
     f.tools->saver().setFolder(f.folder.filePath(QStringLiteral("full")));
-    rlimit before{};
-    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit small{1024, before.rlim_max};
-    QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
-    f.key(Qt::Key_G, Qt::ControlModifier);
-    const bool told =
-        QTest::qWaitFor([&] { return f.told().contains(QStringLiteral("is not written")); }, kPatience_ms);
-    setrlimit(RLIMIT_FSIZE, &before);
+    bool told = false;
+    {
+      const FilesOfAtMost small(1024);
+      f.key(Qt::Key_G, Qt::ControlModifier);
+      told = QTest::qWaitFor([&] { return f.told().contains(QStringLiteral("is not written")); }, kPatience_ms);
+    }
     QVERIFY(told);
     QVERIFY(f.saved("png").isEmpty());  // and half a picture is not left behind
   }

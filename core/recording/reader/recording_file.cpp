@@ -17,8 +17,6 @@ namespace {
 
 constexpr std::uint64_t kFarthestWhole = 1'000;  // pictures to go back for a whole one
 
-__extension__ using Wide = __int128;  // instants in a file are arbitrary: their difference must not overflow
-
 class Hdf5Recording final : public DamagedRecording {
  public:
   Hdf5Recording(std::string path, bool damaged_header)
@@ -202,20 +200,16 @@ class Hdf5Recording final : public DamagedRecording {
     commits_ = tables_->commits();
     judge(*source_, *tables_, info_);
     info_.duration_s =
-        info_.committed_samples == 0 ? 0.0 : secondsFrom(nanoseconds(info_.header.started), tables_->last().latest_ns);
+        info_.committed_samples == 0 ? 0.0 : secondsInto(info_, Instant(Duration(tables_->last().latest_ns)));
     info_.bytes = source_->bytes();
     info_.missing_columns = tables_->missingColumns();
     info_.unknown_columns = tables_->unknownColumns();
   }
 
-  static double secondsFrom(std::int64_t from_ns, std::int64_t to_ns) {
-    return static_cast<double>(static_cast<Wide>(to_ns) - from_ns) * 1e-9;
-  }
-
   /// Saturates, because a recording's start is arbitrary.
   [[nodiscard]] std::int64_t instantAtSecond(double time_s) const {
     if (std::isnan(time_s)) failHard("NaN is no time");
-    const auto sum = static_cast<Wide>(nanoseconds(info_.header.started)) + fromSeconds(time_s).count();
+    const auto sum = WideTime{nanoseconds(info_.header.started)} + fromSeconds(time_s).count();
     constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
     constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
     return sum < kLeast ? kLeast : sum > kMost ? kMost : static_cast<std::int64_t>(sum);
@@ -262,7 +256,7 @@ class Hdf5Recording final : public DamagedRecording {
   [[nodiscard]] RecordedPicture pictureOf(std::uint64_t index) const {
     const auto stored = encodedPicture(index);
     if (!stored) throw RecordingFailure(stored.error().message);
-    RecordedPicture picture{.time_s = secondsFrom(nanoseconds(info_.header.started), nanoseconds(stored->taken)),
+    RecordedPicture picture{.time_s = secondsInto(info_, stored->taken),
                             .number = stored->number,
                             .whole = decodePicture(wholeAt(index), "the whole picture"),
                             .region = decodePicture(stored->region, "the region"),

@@ -59,10 +59,13 @@ struct RecordedPicture {
   sensing::FingerDetection finger;
 };
 
+/// Nanoseconds: instants in a file are arbitrary, and their sums and differences must not overflow.
+__extension__ using WideTime = __int128;
+
 /// Seconds from the recording's start.
 [[nodiscard]] inline double secondsInto(const RecordingInfo& info, Instant when) {
-  __extension__ using Wide = __int128;  // instants in a file are arbitrary: their difference must not overflow
-  return static_cast<double>(Wide{when.time_since_epoch().count()} - info.header.started.time_since_epoch().count()) /
+  return static_cast<double>(WideTime{when.time_since_epoch().count()} -
+                             info.header.started.time_since_epoch().count()) /
          1e9;
 }
 

@@ -168,6 +168,7 @@ TEST(NearestPoint, AsNearAsTheNearestOfAllTriangles) {
   expectEveryTriangle(Searched(thinWalls()), 4'000, 5);
   expectEveryTriangle(Searched(chaos(6)), 20'000, 6, 1e-8);  // rounding turns needles of 1e-8 their length
   expectEveryTriangle(Searched(crumpled(7)), 20'000, 7);
+  for (unsigned seed = 0; seed < 10; ++seed) expectEveryTriangle(Searched(touching(seed)), 20'000, seed);
 }
 
 TEST(NearestPoint, OfAnyScale) {

@@ -1,7 +1,7 @@
 // Progress and cancellation of long work: a cancelled run leaves no files and no changes, and it can be run again.
 #include "core/recording/progress.h"
 
-#include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include "core/report/report.h"
 #include "recording_damage.h"
 #include "recording_samples.h"
+#include "refusal.h"
 #include "tests/unit/recording/fake_recording.h"
 
 namespace fyd::recording {
@@ -46,12 +47,6 @@ FakeRecording fiveSeconds() {
     sample.contact = row > 1000 && row < 2000;
     return sample;
   });
-}
-
-std::set<std::string> filesIn(const Folder& folder) {
-  std::set<std::string> out;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) out.insert(entry.path().filename());
-  return out;
 }
 
 /// Closed, or as a killed recorder leaves it: FILE.partial. @return its name
@@ -98,7 +93,7 @@ TEST(Progress, AReportTellsAndLeavesNoFileWhenEnded) {
     EXPECT_FALSE(report::writeReport(recording, folder.file("ended.html"), false, some.progress())) << most;
     EXPECT_EQ(some.told.size(), most);
   }
-  EXPECT_EQ(filesIn(folder), (std::set<std::string>{"r.html", "r.pdf"}));
+  EXPECT_EQ(namesIn(folder.path()), (std::vector<std::string>{"r.html", "r.pdf"}));
 }
 
 TEST(Progress, CheckingARecordingTellsAndEnds) {
@@ -128,7 +123,7 @@ void expectRecoveryEndsWithoutATrace(const Folder& folder, const std::string& fi
     Listener some{.most = whole.told.size() - back, .told = {}};
     ASSERT_FALSE(recover(file, some.progress()));
     ASSERT_EQ(some.told.size(), some.most);
-    ASSERT_EQ(filesIn(folder), std::set<std::string>{name}) << some.most;
+    ASSERT_EQ(namesIn(folder.path()), std::vector<std::string>{name}) << some.most;
     ASSERT_TRUE(contentOf(file) == before) << some.most;
   }
   const auto outcome = recover(file);
@@ -140,7 +135,7 @@ void expectRecoveryEndsWithoutATrace(const Folder& folder, const std::string& fi
 TEST(Progress, RecoveryOfASoundRecordingEndsWithoutATrace) {
   const Folder folder;
   expectRecoveryEndsWithoutATrace(folder, recorded(folder, false), RecoverResult::whole);
-  EXPECT_EQ(filesIn(folder), std::set<std::string>{"a.h5"});
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{"a.h5"});
 }
 
 TEST(Progress, RecoveryOfADamagedRecordingEndsWithoutATrace) {
@@ -148,7 +143,7 @@ TEST(Progress, RecoveryOfADamagedRecordingEndsWithoutATrace) {
   const std::string file = recorded(folder, true);
   damageChunk(file, "/telemetry", 7);
   expectRecoveryEndsWithoutATrace(folder, file, RecoverResult::part_lost);
-  EXPECT_EQ(filesIn(folder), (std::set<std::string>{"a.h5", "a.h5.damaged"}));
+  EXPECT_EQ(namesIn(folder.path()), (std::vector<std::string>{"a.h5", "a.h5.damaged"}));
 }
 
 }  // namespace
