@@ -43,15 +43,21 @@ constexpr std::array<std::string_view, 8> kShortIntegers = {"char",  "int8",  "u
 constexpr std::array<std::string_view, 4> kLongIntegers = {"int", "int32", "uint", "uint32"};
 constexpr std::array<std::string_view, 4> kReals = {"float", "float32", "double", "float64"};
 
-bool hasAType(const PlyProperty& property) {
+/// CGAL's other names for both, and one that has no meaning here.
+bool isAnotherName(std::string_view element) { return isOneOf({"vertices", "faces", "halfedge"}, element); }
+
+/// It has the type that CGAL takes for granted where it looks it up by its name.
+bool isReadable(const PlyProperty& property, const PlyElement& of) {
+  const bool list = !property.type_of_count.empty();
   // A longer count than of 16 bits lets a list of a small file fill the memory.
-  if (!property.type_of_count.empty() && !isOneOf(kShortIntegers, property.type_of_count)) return false;
-  return isOneOf(kShortIntegers, property.type) || isOneOf(kLongIntegers, property.type) ||
-         isOneOf(kReals, property.type);
+  if (list && (of.name == "vertex" || !isOneOf(kShortIntegers, property.type_of_count))) return false;
+  if (isOneOf(kReals, property.type)) return true;
+  if (of.name == "vertex" && isOneOf({"x", "y", "z"}, property.name)) return false;
+  return isOneOf(kShortIntegers, property.type) || isOneOf(kLongIntegers, property.type);
 }
 
-/// What CGAL looks up in an element by its name is there, with the type it takes for granted.
-bool isReadable(const PlyElement& element) {
+/// What CGAL needs of an element is there, once.
+bool isComplete(const PlyElement& element) {
   const auto named = [&](std::string_view name) {
     return std::ranges::count(element.properties, name, &PlyProperty::name);
   };
@@ -59,20 +65,11 @@ bool isReadable(const PlyElement& element) {
   for (const auto& [longer, shorter] : {std::pair("red", "r"), {"green", "g"}, {"blue", "b"}}) {
     if (named(longer) != 0 && named(shorter) != 0) return false;
   }
-  if (element.name == "vertex") {
-    for (const PlyProperty& each : element.properties) {
-      const bool axis = isOneOf({"x", "y", "z"}, each.name);
-      if (!each.type_of_count.empty() || (axis && !isOneOf(kReals, each.type))) return false;
-    }
-    return named("x") == 1 && named("y") == 1 && named("z") == 1;
-  }
-  if (element.name == "face") {
-    return std::ranges::any_of(element.properties, [](const PlyProperty& each) {
-      return isOneOf({"vertex_indices", "vertex_index"}, each.name) && !each.type_of_count.empty() &&
-             isOneOf(kLongIntegers, each.type);
-    });
-  }
-  return !isOneOf({"vertices", "faces", "halfedge"}, element.name);  // CGAL's other names, and what has no meaning here
+  if (element.name == "vertex") return named("x") == 1 && named("y") == 1 && named("z") == 1;
+  return element.name != "face" || std::ranges::any_of(element.properties, [](const PlyProperty& each) {
+           return isOneOf({"vertex_indices", "vertex_index"}, each.name) && !each.type_of_count.empty() &&
+                  isOneOf(kLongIntegers, each.type);
+         });
 }
 
 /// CGAL's reader does not check a PLY header, and a wrong one ends the program or holds it: so it is checked first.
@@ -106,19 +103,19 @@ Result<void> checkPlyHeader(std::string_view bytes) {
       PlyElement element;
       std::uint64_t count = 0;
       if (!(line >> element.name >> count) || count > bytes.size()) return wrong();
-      if (!elements.empty() && !isReadable(elements.back())) return wrong();
-      if (elements.size() == kMostPlyElements) return wrong();
-      if (has(element.name) || (element.name == "face" && !has("vertex"))) return wrong();
+      if (!elements.empty() && !isComplete(elements.back())) return wrong();
+      if (elements.size() == kMostPlyElements || has(element.name) || isAnotherName(element.name)) return wrong();
+      if (element.name == "face" && !has("vertex")) return wrong();
       elements.push_back(std::move(element));
     } else if (word == "property") {
       PlyProperty property;
       line >> property.type;
       if (property.type == "list") line >> property.type_of_count >> property.type;
       line >> property.name;
-      if (elements.empty() || property.name.empty() || !hasAType(property)) return wrong();
+      if (elements.empty() || property.name.empty() || !isReadable(property, elements.back())) return wrong();
       elements.back().properties.push_back(std::move(property));
     } else if (word == "end_header") {
-      if (!has("face") || !isReadable(elements.back())) return wrong();
+      if (!has("face") || !isComplete(elements.back())) return wrong();
       return {};
     } else if (word != "comment" && word != "obj_info") {
       return wrong();

@@ -140,6 +140,8 @@ TEST(MeshText, APlyHeaderThatWouldEndOrHoldItsReaderIsRefused) {
        }) {
     EXPECT_NE(errorOf(elements).find("ply header, line "), std::string::npos) << elements << errorOf(elements);
   }
+  EXPECT_NE(errorOf(with("float z", "short z")).find("line 6 \"property short z\""), std::string::npos)
+      << "where it is";
 }
 
 TEST(MeshText, WhatElseAPlyFileHasIsPassedOver) {
