@@ -14,10 +14,25 @@ namespace {
 
 constexpr std::string_view kFormat = "FYD gesture 1";
 constexpr std::string_view kBegins = "format = \"FYD gesture";
-constexpr std::string_view kRule = "\n---\n";
 constexpr std::size_t kLongestText = 200;
 constexpr double kLongest_s = 600.0;
 constexpr std::array<std::string_view, 5> kKeys = {"format", "name", "source", "speed", "loop"};
+
+/// Where the rows begin: below the first line that is ---, whatever ends it; npos without one.
+struct Rule {
+  std::size_t begin = std::string_view::npos, rows = std::string_view::npos;
+};
+
+Rule findRule(std::string_view text) {
+  constexpr std::string_view kLine = "\n---";
+  for (std::size_t at = text.find(kLine); at != std::string_view::npos; at = text.find(kLine, at + 1)) {
+    const std::string_view rest = text.substr(at + kLine.size());
+    for (const std::string_view end : {"\n", "\r\n"}) {
+      if (rest.starts_with(end)) return {.begin = at + 1, .rows = at + kLine.size() + end.size()};
+    }
+  }
+  return {};
+}
 
 bool printable(std::string_view text) {
   return std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
@@ -108,13 +123,13 @@ bool isGestureCard(std::string_view text) { return text.starts_with(kBegins); }
 
 Result<GestureCard> parseGesture(std::string_view text, std::string_view source_name) {
   const std::string name(source_name);
-  const std::size_t rule = text.find(kRule);
-  if (rule == std::string_view::npos) {
+  const Rule rule = findRule(text);
+  if (rule.begin == std::string_view::npos) {
     return fail("{}: no line --- between the card's head and its rows; expected one", name);
   }
-  auto card = parseHeader(text.substr(0, rule + 1), name);
+  auto card = parseHeader(text.substr(0, rule.begin), name);
   if (!card) return card;
-  const std::string_view head = text.substr(0, rule + kRule.size());
+  const std::string_view head = text.substr(0, rule.rows);
   const auto lines = static_cast<std::size_t>(std::ranges::count(head, '\n'));
   const auto table = parseCsv(text.substr(head.size()), name + ", below ---", {"t_s", "x_mm", "y_mm", "depth_mm"});
   if (!table) return tl::unexpected(table.error());

@@ -43,6 +43,21 @@ TEST(GestureCard, LoopsUnlessItIsToBePlayedOnce) {
   EXPECT_NEAR(path.at(2.5).x_mm, path.at(0.5).x_mm, 1e-9);
 }
 
+TEST(GestureCard, LinesMayEndAsAnotherEditorEndsThem) {
+  const auto withCarriageReturns = [](std::string_view text) {
+    std::string out;
+    for (const char c : text) out += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    return out;
+  };
+  const GestureCard card = parseGesture(withCarriageReturns(kHead + "loop = false\n---\n" + kRows), "card").value();
+  EXPECT_EQ(card.name, "a stroke");
+  EXPECT_FALSE(card.loop);
+  ASSERT_EQ(card.rows.size(), 3U);
+  EXPECT_EQ(card.rows[1].state.indentation_mm, 3.0);
+  EXPECT_THAT(errorOf(withCarriageReturns(kHead + "---\nt_s,x_mm,y_mm,depth_mm\n0,-10,5,2\n1,90,5,3\n")),
+              testing::HasSubstr("card:6: x_mm is 90"));
+}
+
 TEST(GestureCard, IsWrittenAsItIsRead) {
   GestureCard card = parseGesture(kHead + "---\n" + kRows, "card").value();
   card.name = "quotes \" and \\ and é";
