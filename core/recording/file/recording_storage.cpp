@@ -21,6 +21,7 @@ int opened(const std::string& path, int flags) {
   if (descriptor < 0) failHard(words(errno));
   if (lockAsRecorder(descriptor)) return descriptor;
   const int error = errno;
+  if ((flags & O_CREAT) != 0) ::unlink(path.c_str());  // just made and empty, it would hold the name for nothing
   ::close(descriptor);
   failHard("its lock cannot be had, it may be recorded at this moment: {}", words(error));
 }

@@ -1,6 +1,7 @@
 // Folders on other file systems than the tester's: a network share, one without locks, one that cannot sync a folder;
 // and other programs that come in between. What the system says of a folder or a file is replaced here; the folder
 // itself is an ordinary one.
+#include <fcntl.h>
 #include <sys/file.h>
 #include <sys/syscall.h>
 #include <sys/vfs.h>
@@ -8,6 +9,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdarg>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -58,6 +60,14 @@ extern "C" int statfs(const char* path, struct statfs* out) noexcept {
 extern "C" int flock(int file, int how) noexcept {
   if (fyd::recording::system_says.comes_before.exchange(false)) fyd::recording::system_says.before_lock();
   return fyd::recording::failOrCall(fyd::recording::system_says.no_lock, SYS_flock, file, how);
+}
+extern "C" int fcntl(int file, int what, ...) {  // NOLINT(cert-dcl50-cpp): as the C library declares it
+  va_list arguments;
+  va_start(arguments, what);
+  void* argument = va_arg(arguments, void*);
+  va_end(arguments);
+  const int error = what == F_OFD_SETLK ? fyd::recording::system_says.no_lock.load() : 0;
+  return fyd::recording::failOrCall(error, SYS_fcntl, file, what, argument);
 }
 extern "C" int fsync(int file) {
   return fyd::recording::failOrCall(fyd::recording::system_says.no_sync, SYS_fsync, file);
@@ -140,6 +150,17 @@ TEST_F(ForeignDisk, ARecordingWhoseFolderCannotBeSyncedLeavesItsNameFree) {
   const auto recording = Recording::open(folder.file());
   ASSERT_TRUE(recording) << recording.error().text();
   EXPECT_EQ((*recording)->info().committed_samples, 10U);
+}
+
+TEST_F(ForeignDisk, WithoutLocksNoRecordingBeginsAndItsNameStaysFree) {
+  system_says.no_lock = ENOLCK;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const auto refused = RecordingWriter::create(folder.file(), samples::header());
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(), HasSubstr("its lock cannot be had"));
+    EXPECT_THAT(refused.error().text(), HasSubstr("No locks available"));
+    EXPECT_THAT(namesIn(folder.path()), IsEmpty());
+  }
 }
 
 TEST_F(ForeignDisk, AnExportThatCannotBeSyncedReplacesNothing) {
