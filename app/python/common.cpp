@@ -1,5 +1,9 @@
 #include "app/python/common.h"
 
+#include <chrono>
+#include <thread>
+
+#include <cxxabi.h>
 #include <fmt/format.h>
 
 #include "core/base/parameter.h"
@@ -7,6 +11,14 @@
 #include "core/texture/texture_parameters.h"
 
 namespace fyd::python {
+
+OthersGoOn::~OthersGoOn() {
+  try {
+    PyEval_RestoreThread(state_);
+  } catch (const abi::__forced_unwind&) {
+    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+  }
+}
 
 Hdf5Turn::Hdf5Turn() {
   try {

@@ -43,6 +43,26 @@ T valid(Result<T> result) {
   if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
 
+/// @throws py::value_error as Python's own open: the system would take what stands before the null for the path
+[[nodiscard]] inline std::string pathOf(std::string path) {
+  if (path.find('\0') != std::string::npos) throw py::value_error("embedded null byte");
+  return path;
+}
+
+/// While it lives, the interpreter's lock is released, so other Python threads go on. A thread that wants the lock back
+/// when the interpreter has ended meanwhile waits for the process's end, as from Python 3.14 on: earlier ones end the
+/// thread instead, by unwinding through whatever stands there, and no destructor of C++ lets that through.
+class OthersGoOn {
+ public:
+  OthersGoOn() : state_(PyEval_SaveThread()) {}
+  ~OthersGoOn();
+  OthersGoOn(const OthersGoOn&) = delete;
+  OthersGoOn& operator=(const OthersGoOn&) = delete;
+
+ private:
+  PyThreadState* state_;
+};
+
 /// An object of the library that one thread at a time may use: other Python threads go on meanwhile, and those that
 /// want the same object wait for their turn.
 template <class T>
@@ -54,7 +74,7 @@ class Shared {
   /// Runs work(T&), which touches no Python object, without the interpreter's lock.
   template <class Work>
   auto run(Work&& work) {
-    const py::gil_scoped_release others_go_on;
+    const OthersGoOn others_go_on;
     const std::lock_guard turn(mutex_);
     return work(value_);
   }

@@ -65,7 +65,7 @@ py::dict trial(const Numbers& time_s, const Numbers& position_mm, const std::str
   std::vector<Position> predicted;
   teleop::TrialFigures figures;
   {
-    const py::gil_scoped_release others_go_on;
+    const OthersGoOn others_go_on;
     plan = teleop::planTrial(trace, network);
     predicted = teleop::runTrial(trace, plan, *predictor, smooth_s);
     figures = teleop::trialFigures(trace, plan, predicted);

@@ -255,7 +255,7 @@ void addRecordings(py::module_& module) {
           "What the step reported [each in its unit]");
 
   py::class_<OpenRecording>(module, "RecordingFile", "An open recording: whole, growing, or left behind by a crash.")
-      .def(py::init([](const py::bytes& path) { return std::make_unique<OpenRecording>(std::string(path)); }),
+      .def(py::init([](const py::bytes& path) { return std::make_unique<OpenRecording>(pathOf(path)); }),
            py::arg("path"), "Opens FILE or FILE.partial; FILE alone also finds FILE.partial beside it. Units: none.")
       .def("close", &OpenRecording::close, "Closes the file; the arrays that were read stay. Units: none.")
       .def("info", &OpenRecording::info, "The summary, as of the last refresh. Units: [s] and [byte], in its names.")

@@ -44,7 +44,7 @@ MeshOwner meshOf(const Numbers& vertices_mm, const py::array_t<std::int64_t, py:
     }
     soup.triangles.push_back(triangle);
   }
-  const py::gil_scoped_release others_go_on;
+  const OthersGoOn others_go_on;
   return std::make_shared<Searched>(valid(Mesh::build(std::move(soup))));
 }
 
@@ -123,8 +123,8 @@ void addMeshes(py::module_& module) {
           "open",
           [](const std::string& path, const std::string& unit) {
             const auto length = unitNamed(unit);
-            const py::gil_scoped_release others_go_on;
-            return std::make_shared<Searched>(done(sim::openMesh(path, length)));
+            const OthersGoOn others_go_on;
+            return std::make_shared<Searched>(done(sim::openMesh(pathOf(path), length)));
           },
           py::arg("path"), py::arg("unit") = "mm", "An OBJ, STL or PLY file; `unit` of its lengths: mm, cm, m or in.")
       .def_property_readonly(
@@ -216,8 +216,8 @@ void addScenes(py::module_& module) {
           "open",
           [](const std::string& path, double rate_Hz) {
             const double rate = checkedRate(rate_Hz);
-            const py::gil_scoped_release others_go_on;
-            return std::make_unique<FeltScene>(done(sim::openFeltScene(path, rate)));
+            const OthersGoOn others_go_on;
+            return std::make_unique<FeltScene>(done(sim::openFeltScene(pathOf(path), rate)));
           },
           py::arg("path"), py::arg("rate_Hz") = 1000.0,
           "A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz]; in a Pipeline that is its "

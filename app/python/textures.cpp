@@ -91,7 +91,7 @@ void addSurfaces(py::module_& module) {
       [](const Numbers& accelerations_g, double rate_Hz, double speed_mm_s, double force_N, const std::string& name) {
         const Axes axes = axesOf(vectors(accelerations_g, "accelerations_g"), "accelerations_g");
         auto fit = [&] {
-          const py::gil_scoped_release others_go_on;
+          const OthersGoOn others_go_on;
           return texture::fitSurface(
               axes.x, axes.y, axes.z,
               {.name = name, .sample_rate_Hz = rate_Hz, .speed_mm_s = speed_mm_s, .force_N = force_N});
@@ -196,7 +196,7 @@ void addTextures(py::module_& module) {
         if (segment < 2) throw Refusal{fmt::format("segment: {}; expected 2 samples or more", segment)};
         const double rate = checkedRate(rate_Hz);
         signal::Spectrum spectrum = [&] {
-          const py::gil_scoped_release others_go_on;
+          const OthersGoOn others_go_on;
           return signal::welch(values, rate, segment);
         }();
         std::vector<double> at_Hz(spectrum.density.size());
@@ -216,7 +216,7 @@ void addTextures(py::module_& module) {
         if (delay_samples < 0) throw Refusal{fmt::format("delay_samples: {}; expected 0 or more", delay_samples)};
         const double rate = checkedRate(rate_Hz);
         const texture::MatchFigures figures = [&] {
-          const py::gil_scoped_release others_go_on;
+          const OthersGoOn others_go_on;
           return texture::compareSpectra(axes.x, axes.y, axes.z, signal, delay_samples, rate);
         }();
         return py::make_tuple(figures.spectral_match, figures.energy_ratio);

@@ -40,6 +40,12 @@ def assert_reads_as_h5py(path):
             assert_same_bits(together[name], theirs[name])
 
 
+def test_a_path_with_a_null_byte_is_no_other_files_path():
+    for opened in (fyd.open, fyd.Mesh.open, fyd.Scene.open):
+        with pytest.raises(ValueError, match="null byte"):
+            opened("classic.h5\0more")
+
+
 def test_a_golden_recording_reads_as_h5py_reads_it(golden):
     assert_reads_as_h5py(golden)
 

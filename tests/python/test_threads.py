@@ -3,6 +3,7 @@
 Python hands the lock over by itself only after the switch interval, which is made longer than any test: what the other
 thread did between two looks, it did because the lock was given up.
 """
+import subprocess
 import sys
 import threading
 import time
@@ -13,6 +14,27 @@ import pytest
 from conftest import GOLDEN, ROOT
 
 import fyd
+
+
+@pytest.mark.parametrize("work", ["file.replay()", "fyd.welch(noise, 1000.0)"])
+def test_a_thread_that_works_when_the_interpreter_ends_ends_with_it(work):
+    script = f"""
+import threading, time
+import numpy as np
+import fyd
+file, noise, worked = fyd.open({str(GOLDEN / "classic.h5")!r}), np.random.default_rng(1).standard_normal(100_000), threading.Event()
+def run():
+    while True:
+        {work}
+        worked.set()
+threading.Thread(target=run, daemon=True).start()
+assert worked.wait(60)
+time.sleep(0.05)
+print("done")
+"""
+    for _ in range(4):
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+        assert (done.returncode, done.stdout, done.stderr) == (0, "done\n", "")
 
 
 class Other:
