@@ -66,6 +66,22 @@ std::string oneLine(const std::exception& error) {
   return out;
 }
 
+/// Whether a file that SQLite cannot read was a catalogue: the first page tells the tables' names in plain text, also
+/// when its beginning is damaged.
+bool wasCatalogue(const std::string& path) {
+  constexpr std::size_t kLargestPage = 65'536;
+  std::string page(kLargestPage, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(page.data(), static_cast<std::streamsize>(page.size()));
+  page.resize(static_cast<std::size_t>(file.gcount()));
+  return page.find("CREATE TABLE catalogue_version") != std::string::npos;
+}
+
+tl::unexpected<Error> noCatalogue(const std::string& path) {
+  return fail("{}: is no catalogue, and nothing in it shows that it was one; choose another file, or move it away",
+              path);
+}
+
 }  // namespace
 
 CatalogueDatabase::Transaction::~Transaction() {
@@ -90,6 +106,7 @@ void CatalogueDatabase::connect() {
     std::string ignored;
     session_ << "PRAGMA busy_timeout = " << kBusy_ms, soci::into(ignored);
     session_ << "PRAGMA foreign_keys = ON";
+    if (isOfAnother(session_)) return;  // nothing of it is changed; prepareSchema refuses it
     // Changing to the write-ahead log ignores the time-out when two processes make the file at the same moment.
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::milliseconds(kBusy_ms);
     for (;;) {
@@ -122,6 +139,7 @@ Error CatalogueDatabase::explained(const std::exception& error) {
     }
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
+      if (sqliteCode(error) == SQLITE_NOTADB && !wasCatalogue(path)) return noCatalogue(path).value();
       return {
           say("{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list "
               "--rebuild FOLDER` moves the file aside and reads the recordings again",
@@ -168,6 +186,7 @@ Result<bool> isDamaged(const std::string& path) {
     return answer != "ok";
   } catch (const std::exception& problem) {
     const int code = sqliteCode(problem);
+    if (code == SQLITE_NOTADB && !wasCatalogue(path)) return noCatalogue(path);
     if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) return true;
     return fail(about(path, verbatim(oneLine(problem))));
   }

@@ -20,6 +20,9 @@ using SchemaSteps = std::span<const std::span<const char* const>>;
 [[nodiscard]] SchemaSteps catalogueSchema();
 [[nodiscard]] SchemaSteps pendingSchema();
 
+/// Whether a SQLite file, which is one program's, has tables and none of them is ours.
+[[nodiscard]] bool isOfAnother(soci::session& sqlite);
+
 /// SQLite's name for a database without a file.
 inline constexpr const char* kInMemory = ":memory:";
 
@@ -80,7 +83,8 @@ class CatalogueDatabase {
   bool lost_ = true;  ///< connect before the next transaction
 };
 
-/// Whether the SQLite file at `path` is damaged; an error when that cannot be found out (locked, not readable).
+/// Whether the SQLite file at `path` is damaged; an error when that cannot be found out (locked, not readable), or when
+/// it is another file than a catalogue.
 [[nodiscard]] Result<bool> isDamaged(const std::string& path);
 
 /// Programs that have the file open, as "fyd (process 4711)"; those of other users are not found. Empty: none found.

@@ -33,6 +33,13 @@ constexpr std::array<std::span<const char* const>, 1> kPending = {kPending1};
 SchemaSteps catalogueSchema() { return kCatalogue; }
 SchemaSteps pendingSchema() { return kPending; }
 
+bool isOfAnother(soci::session& sqlite) {
+  long long all = 0, ours = 0;
+  sqlite << "SELECT count(*), count(nullif(name = 'catalogue_version', 0)) FROM sqlite_master", soci::into(all),
+      soci::into(ours);
+  return all > 0 && ours == 0;
+}
+
 Result<void> CatalogueDatabase::prepareSchema(SchemaSteps schema) {
   const bool is_sqlite = word_.kind == CatalogueAddress::Kind::sqlite;
   const auto version = [is_sqlite](soci::session& sql) -> Result<long long> {
@@ -56,6 +63,8 @@ Result<void> CatalogueDatabase::prepareSchema(SchemaSteps schema) {
     if (!is_sqlite) sql << "SELECT pg_advisory_xact_lock(1719231587)";  // serialises the upgrade among stations
     const auto now = version(sql);
     if (*now >= newest) return {};
+    if (is_sqlite && isOfAnother(sql))
+      return fail("{}: is another program's database; expected a catalogue, or a new file", word_.name);
     if (*now == 0) sql << "CREATE TABLE catalogue_version (version BIGINT NOT NULL)";
     for (long long step = *now; step < newest; ++step) {
       for (const char* statement : schema[static_cast<std::size_t>(step)]) sql << statement;

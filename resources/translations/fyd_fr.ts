@@ -9510,12 +9510,20 @@ Pour commencer : %1</translation>
         <translation>{} : c'est un socket, pas un fichier</translation>
     </message>
     <message>
+        <source>{}: is another program's database; expected a catalogue, or a new file</source>
+        <translation>{} : est la base de données d'un autre programme ; attendu : un catalogue, ou un nouveau fichier</translation>
+    </message>
+    <message>
         <source>{}: is being recorded at this moment</source>
         <translation>{} : est en cours d'enregistrement en ce moment</translation>
     </message>
     <message>
         <source>{}: is damaged; `fyd session recover` keeps what can be proven of it first</source>
         <translation>{} : est endommagé ; `fyd session recover` en garde d'abord ce qui peut être prouvé</translation>
+    </message>
+    <message>
+        <source>{}: is no catalogue, and nothing in it shows that it was one; choose another file, or move it away</source>
+        <translation>{} : n'est pas un catalogue, et rien n'y montre que c'en était un ; choisir un autre fichier, ou le déplacer</translation>
     </message>
     <message>
         <source>{}: is no serial port</source>

@@ -9510,12 +9510,20 @@ Per cominciare: %1</translation>
         <translation>{}: è un socket, non un file</translation>
     </message>
     <message>
+        <source>{}: is another program's database; expected a catalogue, or a new file</source>
+        <translation>{}: è la banca dati di un altro programma; atteso un catalogo, o un file nuovo</translation>
+    </message>
+    <message>
         <source>{}: is being recorded at this moment</source>
         <translation>{}: è in registrazione in questo momento</translation>
     </message>
     <message>
         <source>{}: is damaged; `fyd session recover` keeps what can be proven of it first</source>
         <translation>{}: è danneggiata; `fyd session recover` ne conserva prima ciò che si può provare</translation>
+    </message>
+    <message>
+        <source>{}: is no catalogue, and nothing in it shows that it was one; choose another file, or move it away</source>
+        <translation>{}: non è un catalogo, e nulla in esso mostra che lo fosse; scegliere un altro file, o spostarlo</translation>
     </message>
     <message>
         <source>{}: is no serial port</source>

@@ -125,6 +125,26 @@ class Catalogue(fyd.Case):
         self.assertEqual(rebuilt["scan"]["added"], 2)
         self.assertEqual(len(self.ids()), 2)
 
+    def test_what_is_no_catalogue_is_neither_written_nor_moved(self):
+        self.write("notes.sqlite", "no database\n" * 1000)
+        other = sqlite3.connect(self.path("other.sqlite"))
+        other.execute("CREATE TABLE mine (x)")
+        other.commit()
+        other.close()
+        for path, why in ((self.a, "is no catalogue"), (self.path("notes.sqlite"), "is no catalogue"),
+                          (self.path("other.sqlite"), "is another program's database")):
+            with open(path, "rb") as file:
+                before = file.read()
+            for more in ([], ["--rebuild"]):
+                said = self.refused(1, "session", "list", *more, "--catalogue", f"sqlite:{path}")
+                self.assertIn(f"{path}: {why}", said)
+            with open(path, "rb") as file:
+                self.assertEqual(file.read(), before)
+        self.assertEqual([name for name in os.listdir(self.data) + os.listdir(self.folder) if "damaged" in name], [])
+
+    def test_a_folder_after_a_tag_is_a_folder(self):
+        self.assertEqual(self.json("session", "list", "--tag", "soft", self.data, "--json")["found"], 1)
+
     def test_a_locked_catalogue_names_its_holder(self):
         self.json("session", "add", self.a, *self.word, "--json")
         holder = sqlite3.connect(self.file, isolation_level=None)

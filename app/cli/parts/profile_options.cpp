@@ -17,7 +17,8 @@ const Parameter* parameterNamed(std::span<const Parameter> parameters, std::stri
 
 void ProfileOptions::addTo(CLI::App& command) {
   command.add_option("--profile", file, "Profile to load (TOML)");
-  command.add_option("--set", settings, "A parameter as id=value, over the profile's; may be repeated")->take_all();
+  command.add_option("--set", settings, "A parameter as id=value, over the profile's; may be repeated")
+      ->allow_extra_args(false);
 }
 
 station::Profile ProfileOptions::load(Together together) const {

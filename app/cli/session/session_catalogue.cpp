@@ -163,8 +163,8 @@ void addSessionCatalogue(CLI::App& session) {
   {
     const auto [command, options] = add("tag", "Change a session's tags in the catalogue", runTag);
     command->add_option("session", options->target, kTarget)->required();
-    command->add_option("--add", options->add, "Tag to add; repeatable")->take_all();
-    command->add_option("--remove", options->remove, "Tag to take away; repeatable")->take_all();
+    command->add_option("--add", options->add, "Tag to add; repeatable")->allow_extra_args(false);
+    command->add_option("--remove", options->remove, "Tag to take away; repeatable")->allow_extra_args(false);
   }
   {
     const auto [command, options] = add("notes", "Replace a session's notes in the catalogue", runNotes);

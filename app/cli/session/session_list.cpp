@@ -108,7 +108,7 @@ void addSessionList(CLI::App& session) {
   SessionFilter& filter = options->filter;
   const std::size_t other = command->get_options().size();
   command->add_option("--text", filter.text, "Every word, in operator, subject, notes or a tag; case does not matter");
-  command->add_option("--tag", filter.tags, "With this tag; repeatable: all of them")->take_all();
+  command->add_option("--tag", filter.tags, "With this tag; repeatable: all of them")->allow_extra_args(false);
   command->add_option("--since", filter.since, "Started at this UTC time or later: 2026-11-21, 2026-11-21T14:05");
   command->add_option("--until", filter.until, "Started before this day, minute or second was over");
   command->add_option("--operator", filter.operator_name, "Exactly this operator");
