@@ -99,14 +99,17 @@ Result<Recording> parseRecording(std::string_view text, std::string_view source_
   return out;
 }
 
+Result<void> checkSamples(double count, double span_s, double rate_Hz) {
+  if (count <= kMostSteps) return {};
+  return fail("{} s at {} Hz are {} samples: expected at most {}", span_s, rate_Hz, count, kMostSteps);
+}
+
 Result<UniformRecording> makeUniform(const Recording& recording, double rate_Hz) {
   UniformRecording out;
   if (recording.samples.empty()) return out;
   const double span_s = toSeconds(recording.samples.back().taken - recording.samples.front().taken);
   const double count = std::ceil(span_s * rate_Hz - 0.5 - 1e-6) + 1.0;  // the last one's period holds the last sample
-  if (!(count <= kMostSteps)) {
-    return fail("{} s at {} Hz are {} samples: expected at most {}", span_s, rate_Hz, count, kMostSteps);
-  }
+  if (auto good = checkSamples(count, span_s, rate_Hz); !good) return tl::unexpected(good.error());
   if (recording.rate_Hz > kLargestReduction * rate_Hz) {
     return fail("recorded at {} Hz: {} Hz is less than 1/{} of that", recording.rate_Hz, rate_Hz, kLargestReduction);
   }

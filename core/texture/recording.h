@@ -30,6 +30,9 @@ struct Recording {
 [[nodiscard]] FYD_API Result<Recording> parseRecording(std::string_view text, std::string_view source_name,
                                                        double rate_Hz);
 
+/// @return an error for a signal of more than 10 million samples
+[[nodiscard]] FYD_API Result<void> checkSamples(double count, double span_s, double rate_Hz);
+
 /// One step per period of `rate_Hz`, from the first sample to the last (uniform_stream.h). Samples further apart than
 /// one and a half periods of the recording or of `rate_Hz`, whichever is longer, are a gap.
 struct UniformRecording {
@@ -37,7 +40,7 @@ struct UniformRecording {
   std::uint64_t gaps = 0;
   std::uint64_t refused = 0;
 };
-/// @return an error when that would be more than 100 million steps, or a rate under 1/100 of the recording's
+/// @return an error by checkSamples, or for a rate under 1/100 of the recording's
 [[nodiscard]] FYD_API Result<UniformRecording> makeUniform(const Recording& recording, double rate_Hz);
 
 /// Rest removal (not with filter none), high-pass and method as one streaming object.

@@ -124,6 +124,20 @@ class Station(Case):
         self.assertIn("t.csv: writing failed", done.stderr)
         self.assertEqual(os.path.getsize(self.path("t.csv")), limit, "the limit was never met: this test shows nothing")
 
+    def test_a_replay_that_cannot_be_written_whole_leaves_what_was_there(self):
+        file = self.write("t.csv", "mine\n")
+        replay = ["session", "replay", os.path.join(fyd.DATA, "recordings", "arithmetic_2", "classic.h5"), "--telemetry", file]
+        limit = 100_000
+        done = subprocess.run([fyd.PROGRAM, *replay], capture_output=True, text=True, check=False, timeout=MOST_WAIT_s,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("t.csv: writing failed: File too large", done.stderr)
+        with open(file, encoding="utf-8") as left:
+            self.assertEqual(left.read(), "mine\n")
+        self.assertEqual(os.listdir(self.folder), ["t.csv"])
+        self.assertEqual(fyd.run(*replay).returncode, 0)
+        self.assertGreater(os.path.getsize(file), limit)
+
 
 @unittest.skipUnless(os.path.exists(CONSOLE), "built without the window")
 class Window(Case):

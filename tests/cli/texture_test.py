@@ -1,5 +1,6 @@
 """fyd texture render, fit and felt: figures beside what follows from their definitions."""
 import math
+import os
 import random
 import unittest
 
@@ -75,6 +76,12 @@ class Texture(fyd.Case):
             self.assertGreater(fitted["bands"], 3)
             played = self.json("texture", "play", model, "--speed", 40, "--force", 1, "-o", self.path("signal.csv"), "--json")
             self.assertGreater(played["rms_g"], 0)
+
+    def test_more_samples_than_a_signal_may_have_are_refused_at_once(self):
+        said = self.refused(1, "texture", "play", "wood", "--speed", 40, "--force", 1, "-o", self.path("signal.csv"),
+                            "--duration", 3600, "--rate", 100000)
+        self.assertIn("3600 s at 100000 Hz are 360000000 samples: expected at most 10000000", said)
+        self.assertFalse(os.path.exists(self.path("signal.csv")))
 
 
 if __name__ == "__main__":

@@ -101,10 +101,13 @@ void writeTextFile(const std::string& path, const std::string& text, const std::
   out.close();
 }
 
-OutputFile::OutputFile(const std::string& path, const std::vector<std::string>& inputs) : path_(path) {
+OutputFile::OutputFile(const std::string& path, const std::vector<std::string>& inputs, Appears appears) : path_(path) {
   refuseToDestroy(path, inputs);
   if (isOwnDescriptor(path)) {
     file_.reset(openDescriptor(path));
+  } else if (appears == Appears::whole) {
+    part_.emplace(valueOrFail(recording::ExportFile::create(path, true)));
+    return;
   } else {
     target_ = valueOrFail(writeTargetOf(path)).path;
     file_.reset(openWhole(target_, made_));
@@ -122,13 +125,17 @@ void OutputFile::begin() {
 }
 
 void OutputFile::write(std::string_view text) {
+  if (part_) return valueOrFail(part_->write(text));
   begin();
   whole_ = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && whole_;
 }
 
-void OutputFile::flush() { whole_ = std::fflush(file_.get()) == 0 && whole_; }
+void OutputFile::flush() {
+  if (!part_) whole_ = std::fflush(file_.get()) == 0 && whole_;
+}
 
 void OutputFile::close() {
+  if (part_) return valueOrFail(part_->commit());
   begin();
   whole_ = std::fclose(file_.release()) == 0 && whole_;
   if (!whole_) throw Failure(say("{}: writing failed; is the disk full?", path_));

@@ -3,9 +3,12 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/recording/file/export_file.h"
 
 namespace fyd::cli {
 
@@ -17,13 +20,16 @@ void refuseToDestroy(const std::string& path, const std::vector<std::string>& in
 /// written, or by refuseToDestroy
 void writeTextFile(const std::string& path, const std::string& text, const std::vector<std::string>& inputs = {});
 
-/// A file that grows while the command runs. What stood under its name stays until the first write, or `close`, and a
+/// Grows: others may read it meanwhile. Whole: it gets its name with `close`; without, what stood there stays.
+enum class Appears { growing, whole };
+
+/// A file that is written while the command runs. What stood under its name stays until the first write, or `close`, and a
 /// new name without either goes again: what fails before it has a word to write leaves all as it was. An own descriptor
 /// is written where it stands: nothing before is lost, and what is printed afterwards follows.
 class OutputFile {
  public:
   /// @throws Failure when it cannot be opened, or by refuseToDestroy
-  OutputFile(const std::string& path, const std::vector<std::string>& inputs);
+  OutputFile(const std::string& path, const std::vector<std::string>& inputs, Appears appears = Appears::growing);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -40,8 +46,9 @@ class OutputFile {
   void begin();
 
   std::string path_;
-  std::string target_;  ///< that is really written; empty: an own descriptor
-  bool made_ = false;   ///< it was not there before
+  std::optional<recording::ExportFile> part_;  ///< of a file that appears whole
+  std::string target_;                         ///< that is really written; empty: an own descriptor
+  bool made_ = false;                          ///< it was not there before
   bool begun_ = false;
   std::unique_ptr<std::FILE, Closer> file_;
   bool whole_ = true;

@@ -6,7 +6,8 @@
 
 namespace fyd::cli {
 
-TelemetryCsv::TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs) : file_(path, inputs) {}
+TelemetryCsv::TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs, Appears appears)
+    : file_(path, inputs, appears) {}
 
 void TelemetryCsv::writeNames() {
   if (std::exchange(named_, true)) return;

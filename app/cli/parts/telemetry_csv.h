@@ -9,12 +9,12 @@
 
 namespace fyd::cli {
 
-/// As an OutputFile: an old file stays until there is something to write.
+/// As an OutputFile.
 class TelemetryCsv {
  public:
   /// @param inputs of the command, as for writeTextFile
   /// Throws Failure when the file cannot be made.
-  TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs);
+  TelemetryCsv(const std::string& path, const std::vector<std::string>& inputs, Appears appears = Appears::growing);
   void write(const pipeline::TelemetrySample& sample);
   /// What was written so far stands before anything that is printed from now on.
   void flush();

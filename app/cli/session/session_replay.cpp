@@ -97,7 +97,7 @@ void addSessionReplay(CLI::App& parent) {
     std::unique_ptr<TelemetryCsv> csv;
     replay::ReplayObserver observer;
     if (!options->telemetry.empty()) {
-      csv = std::make_unique<TelemetryCsv>(options->telemetry, std::vector{options->session.file});
+      csv = std::make_unique<TelemetryCsv>(options->telemetry, std::vector{options->session.file}, Appears::whole);
       observer = [&csv](const pipeline::TelemetrySample& replayed, const pipeline::TelemetrySample&) {
         csv->write(replayed);
       };

@@ -6,6 +6,7 @@
 
 #include "app/cli/texture/texture_cli.h"
 #include "core/sim/resources.h"
+#include "core/texture/recording.h"
 #include "core/texture/surface_model.h"
 #include "core/texture/virtual_texture.h"
 
@@ -72,6 +73,7 @@ struct PlayOptions {
 };
 
 void play(const PlayOptions& options) {
+  valueOrFail(texture::checkSamples(options.duration_s * options.rate_Hz, options.duration_s, options.rate_Hz));
   const std::string file = sim::findResource(options.model, "textures");
   const SurfaceModel model = valueOrFail(parseSurface(readTextFile(file), file));
   VirtualTexture surface(model, options.rate_Hz, options.seed);
