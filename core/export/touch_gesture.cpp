@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include <boost/locale/encoding_utf.hpp>
+
 namespace fyd::exports {
 namespace {
 
@@ -16,7 +18,18 @@ constexpr double kLeastDepth_mm = 0.01;   // a finger that touches is not lifted
 }  // namespace
 
 std::string touchName(const std::string& recording_path, std::size_t number) {
-  return fmt::format("{}, touch {}", std::filesystem::path(recording_path).filename().string(), number);
+  namespace utf = boost::locale::conv;
+  const std::string file = std::filesystem::path(recording_path).filename().string();
+  // A file's name may hold any byte but two; a card's what can be printed, in UTF-8.
+  auto shown = utf::utf_to_utf<char32_t>(file.data(), file.data() + file.size(), utf::skip);
+  std::erase_if(shown, [](char32_t c) { return c < 0x20 || c == 0x7f; });
+  const std::string touch = fmt::format(", touch {}", number);
+  std::string name = utf::utf_to_utf<char>(shown) + touch;
+  while (!sim::isGestureName(name) && !shown.empty()) {
+    shown.pop_back();
+    name = utf::utf_to_utf<char>(shown) + "…" + touch;
+  }
+  return name;
 }
 
 Result<sim::GestureCard> gestureOf(const recording::Recording& recording, const Touch& touch, std::string name,

@@ -6,7 +6,7 @@
 
 namespace fyd::exports {
 
-/// "foam.h5, touch 3": name and source of a touch's card.
+/// "foam.h5, touch 3": name and source of a touch's card; of the file's name what a card can hold.
 /// @param number from 1
 [[nodiscard]] std::string touchName(const std::string& recording_path, std::size_t number);
 

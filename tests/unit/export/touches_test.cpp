@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/export/touch_gesture.h"
 #include "core/export/touches.h"
 
 #include "tests/unit/recording/fake_recording.h"
@@ -144,6 +145,14 @@ TEST(Touches, ReadsInBlocksAndHandsOnAnError) {
   const auto touches = findTouches(recording);
   ASSERT_FALSE(touches);
   EXPECT_THAT(touches.error().text(), testing::HasSubstr("block 3"));
+}
+
+TEST(Touches, ACardsNameIsOfTheFilesNameWhatACardCanHold) {
+  EXPECT_EQ(touchName("/data/foam.h5", 3), "foam.h5, touch 3");
+  EXPECT_EQ(touchName("/data/a\nb\xFF.h5", 1), "ab.h5, touch 1");
+  const std::string shortened = touchName(fmt::format("{:x<250}.h5", ""), 12);
+  EXPECT_EQ(shortened, fmt::format("{:x<187}…, touch 12", "")) << "200 bytes";
+  EXPECT_TRUE(sim::isGestureName(shortened));
 }
 
 }  // namespace
