@@ -20,12 +20,13 @@ void refuseToDestroy(const std::string& path, const std::vector<std::string>& in
 /// written, or by refuseToDestroy
 void writeTextFile(const std::string& path, const std::string& text, const std::vector<std::string>& inputs = {});
 
-/// Grows: others may read it meanwhile. Whole: it gets its name with `close`; without, what stood there stays.
+/// Growing: others may read it meanwhile. What stood under its name stays until the first write, or `close`, and a new
+/// name without either goes again: what fails before it has a word to write leaves all as it was.
+/// Whole: it gets its name with `close`; without, what stood there stays.
 enum class Appears { growing, whole };
 
-/// A file that is written while the command runs. What stood under its name stays until the first write, or `close`, and a
-/// new name without either goes again: what fails before it has a word to write leaves all as it was. An own descriptor
-/// is written where it stands: nothing before is lost, and what is printed afterwards follows.
+/// A file that is written while the command runs. An own descriptor is written where it stands: nothing before is lost,
+/// and what is printed afterwards follows.
 class OutputFile {
  public:
   /// @throws Failure when it cannot be opened, or by refuseToDestroy
