@@ -6,10 +6,11 @@ source "$(dirname "$0")/common.sh"
 
 preset=${1:-release}
 groups=(run package test)
-case $preset in
-  release | debug | asan | tsan | fuzz | coverage | branches) ;;
-  *) echo "test.sh: '$preset' is no preset of the tests; expected one of release, debug, asan, tsan, fuzz, coverage, branches" >&2; exit 2 ;;
-esac
+presets="release debug asan tsan fuzz coverage branches"
+if [[ " $presets " != *" $preset "* ]]; then
+  echo "test.sh: '$preset' is no preset of the tests; expected one of: $presets" >&2
+  exit 2
+fi
 case $preset in tsan | fuzz) groups+=(clang) ;; coverage | branches) groups+=(coverage) ;; esac
 install_packages "${groups[@]}"
 build "$preset" -DFYD_BUILD_PYTHON=AUTO -DFYD_BUILD_TESTS=ON -DFYD_WARNINGS_AS_ERRORS="${CI:+ON}"

@@ -11,14 +11,12 @@ using namespace fyd;
 
 namespace {
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 bool finite(const protocol::DeviceMessage& message) {
-  bool good = finite(message.position_mm) && finite(message.force_N) && finite(message.velocity_mm_per_s) &&
+  bool good = message.position_mm.finite() && message.force_N.finite() && message.velocity_mm_per_s.finite() &&
               std::isfinite(message.date_s) && std::isfinite(message.orientation.alpha_rad) &&
               std::isfinite(message.orientation.beta_rad) && std::isfinite(message.orientation.gamma_rad);
   for (const protocol::DeviceSample& each : message.earlier) {
-    good = good && std::isfinite(each.date_s) && finite(each.position_mm) && finite(each.velocity_mm_per_s);
+    good = good && std::isfinite(each.date_s) && each.position_mm.finite() && each.velocity_mm_per_s.finite();
   }
   return good;
 }

@@ -17,8 +17,6 @@ namespace {
 
 constexpr double kMost_N = 20.0;
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 DeviceState stateOf(fuzz::Input& in) {
   const auto number = [&](double scale) {
     const std::uint8_t byte = in.byte();
@@ -80,7 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       default: end.receive(sent, now_s); break;
     }
     const Vec3 force = end.step(own, now_s);
-    fuzz::require(finite(force));
+    fuzz::require(force.finite());
     for (const double each : {force.x, force.y, force.z}) fuzz::require(std::abs(each) <= kMost_N);
     const auto told = end.datagram(now_s);
     if (told.empty()) continue;
