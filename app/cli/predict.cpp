@@ -120,7 +120,7 @@ void add_predict(CLI::App& app) {
       ->transform(wholeNumberFrom(0))
       ->capture_default_str();
   command->add_option("--smooth", options->smooth_ms, "Time constant with which a correction decays, ms; 0: none");
-  command->add_option("--columns", options->columns, "One to three columns, such as x_mm,y_mm")->delimiter(',');
+  addColumnsOption(*command, options->columns);
   command->add_option("--weights", options->weights,
                       "Another perceptron of train_strokes.py for the default predictor");
   command->add_option("--out", options->out, "Write t_s and each column's true and predicted values, a row per tick");

@@ -75,6 +75,10 @@ struct Reader {
         problem = say("{}:{}: no column '{}'; expected {}", source, line, name, fmt::join(wanted, ","));
         return;
       }
+      if (std::find(header.begin() + static_cast<std::ptrdiff_t>(i) + 1, header.end(), name) != header.end()) {
+        problem = say("{}:{}: column '{}' stands there more than once; expected each name once", source, line, name);
+        return;
+      }
       position.push_back(i);
     }
     row.resize(wanted.size());
@@ -122,6 +126,14 @@ Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, c
   if (reader.table.rows() == 0) return fail("{}: a header but no rows", source_name);
   reader.table.header = std::move(reader.header);
   return std::move(reader.table);
+}
+
+Result<void> checkLength(double length_s, double most_s) {
+  if (length_s > most_s) {
+    return fail("{} s from the first row to the last; expected at most {}: are the times in seconds?", length_s,
+                most_s);
+  }
+  return {};
 }
 
 Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted, EmptyField empty) {

@@ -25,8 +25,8 @@ enum class EmptyField : std::uint8_t { refused, nan };
 
 /// Reads the named columns, in that order, whatever their order in the file; other columns are ignored.
 /// "nan" (any case) reads as NaN; the caller decides whether that is allowed.
-/// @return an error with file and line for a missing column, more than kMostCsvColumns, text in a number, a short row,
-/// or no rows
+/// @return an error with file and line for a named column that is missing or stands there twice, more than
+/// kMostCsvColumns, text in a number, a short row, or no rows
 [[nodiscard]] Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name,
                                         const std::vector<std::string>& wanted, EmptyField empty = EmptyField::refused);
 
@@ -35,6 +35,10 @@ inline constexpr std::size_t kMostCsvColumns = 1000;
 
 /// A larger file is refused: a table of measurements is shorter, and a device or a pipe may never end.
 inline constexpr std::size_t kLargestCsv_bytes = std::size_t{256} << 20;
+
+/// Of a table whose rows have times, from the first to the last.
+/// @return an error when that is longer than `most_s`, as it is where milliseconds were taken for seconds
+[[nodiscard]] Result<void> checkLength(double length_s, double most_s);
 
 /// parseCsv on a file's contents.
 [[nodiscard]] Result<CsvTable> readCsv(const std::string& path, const std::vector<std::string>& wanted,

@@ -12,6 +12,8 @@ namespace fyd {
 using Instant = Clock::time_point;  ///< ns since an arbitrary origin, monotonic when it comes from Clock
 using Duration = Clock::duration;   ///< ns
 
+inline constexpr double kDay_s = 86'400.0;
+
 [[nodiscard]] constexpr double toSeconds(Duration d) { return std::chrono::duration<double>(d).count(); }
 [[nodiscard]] constexpr double toMilliseconds(Duration d) {
   return std::chrono::duration<double, std::milli>(d).count();

@@ -95,6 +95,11 @@ Result<CatalogueAddress> parseCatalogueAddress(std::string_view word) {
               value == std::string_view::npos ? std::string(word) : fmt::format("{}=…", word.substr(0, value)));
 }
 
+bool isDefault(const CatalogueAddress& address) {
+  const auto own = parseCatalogueAddress({});
+  return own && own->key == address.key;
+}
+
 std::string catalogueFolder() {
   const char* data = std::getenv("XDG_DATA_HOME");
   if (data && *data == '/') return std::string(data) + "/fyd-console";  // XDG demands that relative ones are ignored

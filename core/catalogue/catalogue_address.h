@@ -26,6 +26,9 @@ struct CatalogueAddress {
 /// processes, so libpq must find the password itself ($PGPASSFILE, ~/.pgpass, $PGPASSWORD, a service file)
 [[nodiscard]] Result<CatalogueAddress> parseCatalogueAddress(std::string_view word);
 
+/// Whether it is this user's own catalogue, which a word left out means.
+[[nodiscard]] bool isDefault(const CatalogueAddress& address);
+
 /// $XDG_DATA_HOME/fyd-console or ~/.local/share/fyd-console; not created.
 [[nodiscard]] std::string catalogueFolder();
 /// Entries that could not be delivered wait here.

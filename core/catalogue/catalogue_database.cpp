@@ -138,12 +138,14 @@ Error CatalogueDatabase::explained(const std::exception& error) {
                   holders.empty() ? say("no program that this user can see") : verbatim(holders))};
     }
     case SQLITE_CORRUPT:
-    case SQLITE_NOTADB:
+    case SQLITE_NOTADB: {
       if (sqliteCode(error) == SQLITE_NOTADB && !wasCatalogue(path)) return noCatalogue(path).value();
+      const bool unnamed = isDefault(word_) || path == pendingPath();  // what waits is no catalogue to name
       return {
           say("{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list "
-              "--rebuild FOLDER` moves the file aside and reads the recordings again",
-              path, verbatim(what))};
+              "--rebuild FOLDER{}` moves the file aside and reads the recordings again",
+              path, verbatim(what), unnamed ? "" : fmt::format(" --catalogue 'sqlite:{}'", path))};
+    }
     case SQLITE_FULL: return {say("{}: the disk is full; nothing of this change was kept", path)};
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:

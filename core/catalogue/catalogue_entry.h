@@ -10,6 +10,7 @@
 
 namespace fyd::catalogue {
 
+/// Its errors name the file.
 using EntryReader = std::function<Result<CatalogueEntry>(const std::string& path)>;
 /// Through Recording::open; `station` is this host. Notes and tags written in a review belong to it; where the file of
 /// these is damaged, the recording's own are taken.

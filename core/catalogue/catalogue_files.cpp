@@ -92,7 +92,7 @@ Result<ScanReport> Catalogue::addFolder(const std::string& path, const EntryRead
     }
     auto entry = read(file);
     if (!entry) {
-      report.unreadable.push_back(about(file, entry.error().message));
+      report.unreadable.push_back(entry.error().message);
       continue;
     }
     const auto same = known.by_id.find(entry->id);

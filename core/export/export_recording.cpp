@@ -42,6 +42,9 @@ Result<void> checkExport(const std::string& path, const ExportOptions& options) 
   const auto kind = exportKindOf(path);
   if (!kind) return fail("{}: an export ends in .csv, .mat, .mkv, .avi or .mcap", path);
   if (kind == ExportKind::video && !options.fields.empty()) return fail("{}: a video has no fields to choose", path);
+  if ((kind == ExportKind::csv || kind == ExportKind::mat) && options.region) {
+    return fail("{}: a table has no pictures of which to take the region", path);
+  }
   return checkSelection(options);
 }
 

@@ -10,7 +10,9 @@
 namespace fyd::texture {
 namespace {
 
-constexpr double kMostSteps = 1e7;           // of 32 bytes: two rows may be as far apart as they like
+constexpr double kLongest_s = kDay_s;
+constexpr double kSlowest_Hz = 10.0;  // nothing slower is a vibration: 1 kHz told in milliseconds looks like 1 Hz
+constexpr double kMostSteps = 1e7;    // of 32 bytes: two rows may be as far apart as they like
 constexpr double kLargestReduction = 100.0;  // of the rate; the stream's queue bounds it
 
 /// As many as a table may have, and one more.
@@ -67,6 +69,9 @@ Result<void> checkTimes(const CsvTable& table, std::string_view source_name) {
                   t[i], t[i - 1]);
     }
   }
+  if (auto good = checkLength(t.back() - t.front(), kLongest_s); !good) {
+    return fail(about(source_name, std::move(good.error().message)));
+  }
   return {};
 }
 
@@ -88,6 +93,9 @@ Result<Recording> parseRecording(std::string_view text, std::string_view source_
   if (!(out.rate_Hz > 0.0)) {
     if (!(rate_Hz > 0.0)) return fail("{}: fewer than two different times: the sample rate is unknown", source_name);
     out.rate_Hz = rate_Hz;
+  } else if (timed && out.rate_Hz < kSlowest_Hz) {
+    return fail("{}: {} rows a second; expected {} and more: are the times in seconds?", source_name, out.rate_Hz,
+                kSlowest_Hz);
   }
   const std::size_t first_axis = timed ? 1 : 0;
   out.samples.reserve(table->rows());

@@ -24,7 +24,8 @@ struct Recording {
 };
 
 /// CSV with columns t_s, ax, ay, az, in any order among others; or exactly three columns, x y z, then `rate_Hz` is
-/// needed. A first line of numbers counts as data. Accelerations may be NaN, times may not, nor go backwards.
+/// needed. A first line of numbers counts as data. Accelerations may be NaN, times may not, nor go backwards,
+/// nor last longer than a day or follow each other slower than ten a second: those are no seconds.
 /// @param rate_Hz 0: from the times
 /// @return an error with source name, line, value and what was expected
 [[nodiscard]] FYD_API Result<Recording> parseRecording(std::string_view text, std::string_view source_name,

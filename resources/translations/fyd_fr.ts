@@ -5698,8 +5698,16 @@ Pour commencer : %1</translation>
         <translation>adresse « {} » : pas de port ; attendu HOST:PORT comme 127.0.0.1:3490 ou [::1]:3490</translation>
     </message>
     <message>
+        <source>address "{}": only a link-local address (fe80::…) has an interface after %</source>
+        <translation>adresse "{}" : seule une adresse de lien local (fe80::…) a une interface après %</translation>
+    </message>
+    <message>
         <source>address "{}": port "{}" is not a whole number from 0 to 65535</source>
         <translation>adresse « {} » : le port « {} » n'est pas un nombre entier de 0 à 65535</translation>
+    </message>
+    <message>
+        <source>address "{}": there is no network interface "{}"</source>
+        <translation>adresse "{}" : il n'y a pas d'interface réseau "{}"</translation>
     </message>
     <message>
         <source>again and again</source>
@@ -5758,6 +5766,10 @@ Pour commencer : %1</translation>
         <translation>un axe varie de {:.3f} g ; attendu au plus {:g} : il bouge : mettre le robot au repos</translation>
     </message>
     <message>
+        <source>an exception with a number that Modbus does not have</source>
+        <translation>une exception dont le numéro n'existe pas dans Modbus</translation>
+    </message>
+    <message>
         <source>an unknown state</source>
         <translation>un état inconnu</translation>
     </message>
@@ -5784,6 +5796,10 @@ Pour commencer : %1</translation>
     <message>
         <source>another file</source>
         <translation>un autre fichier</translation>
+    </message>
+    <message>
+        <source>another program has made the file shorter while it was written</source>
+        <translation>un autre programme a raccourci le fichier pendant qu'il était écrit</translation>
     </message>
     <message>
         <source>another robot is served</source>
@@ -7658,6 +7674,10 @@ Pour commencer : %1</translation>
         <translation>part du rayon %1 ± %2</translation>
     </message>
     <message>
+        <source>rate = {} Hz: expected {} … {}</source>
+        <translation>fréquence = {} Hz : attendu {} … {}</translation>
+    </message>
+    <message>
         <source>reach_mm of a soft body is {}; expected more than 0</source>
         <translation>reach_mm d'un corps mou est {} ; attendu plus de 0</translation>
     </message>
@@ -7726,6 +7746,10 @@ Pour commencer : %1</translation>
         <translation>enregistrement : pas de vibration au-dessus de {} Hz</translation>
     </message>
     <message>
+        <source>recording: sample {} is {} g: expected {} … {}</source>
+        <translation>enregistrement : l'échantillon {} vaut {} g : attendu {} … {}</translation>
+    </message>
+    <message>
         <source>recording: {} g around {} Hz: expected at most {} g</source>
         <translation>enregistrement : {} g autour de {} Hz : attendu au plus {} g</translation>
     </message>
@@ -7744,6 +7768,10 @@ Pour commencer : %1</translation>
     <message>
         <source>relay: the called side's address {} has no port</source>
         <translation>relais : l'adresse {} du côté appelé n'a pas de port</translation>
+    </message>
+    <message>
+        <source>relay: {} stands on both sides; expected two addresses</source>
+        <translation>relais : {} se trouve des deux côtés ; attendu deux adresses</translation>
     </message>
     <message>
         <source>renaming of preset %1</source>
@@ -7822,8 +7850,8 @@ Pour commencer : %1</translation>
         <translation>cible du robot ({}, {}, {}) mm : attendu trois nombres finis</translation>
     </message>
     <message>
-        <source>row {}: position {} mm; expected a finite one, or NaN in a gap</source>
-        <translation>ligne {} : position {} mm ; une valeur finie attendue, ou NaN dans une lacune</translation>
+        <source>row {}: position {} mm; expected one within ±{}, or NaN in a gap</source>
+        <translation>ligne {} : position {} mm ; attendue à ±{} près, ou NaN dans une lacune</translation>
     </message>
     <message>
         <source>row {}: time {} s; expected one later than the row before</source>
@@ -9130,6 +9158,10 @@ Pour commencer : %1</translation>
         <translation>{} lignes de {} manquent avant sa ligne {} ({})</translation>
     </message>
     <message>
+        <source>{} rows, none of them with a position; expected one and more</source>
+        <translation>{} lignes, aucune avec une position ; une ou plus attendues</translation>
+    </message>
+    <message>
         <source>{} rows; expected two and more</source>
         <translation>{} lignes ; deux ou plus attendues</translation>
     </message>
@@ -9202,6 +9234,10 @@ Pour commencer : %1</translation>
         <translation>{}, {} à {:.4g} i/s, en boucle</translation>
     </message>
     <message>
+        <source>{}. Nothing is promised of {}.partial: another program has removed, replaced or shortened it</source>
+        <translation>{}. Rien n'est garanti de {}.partial : un autre programme l'a supprimé, remplacé ou raccourci</translation>
+    </message>
+    <message>
         <source>{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover</source>
         <translation>{}. Ce qui a été écrit jusqu'à {:.1f} s est en sûreté dans {}.partial ; le rendre entier par : fyd session recover</translation>
     </message>
@@ -9256,6 +9292,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: a size in it is beyond all reason</source>
         <translation>{} : une taille y est hors de toute mesure</translation>
+    </message>
+    <message>
+        <source>{}: a table has no pictures of which to take the region</source>
+        <translation>{} : un tableau n'a pas d'images dont prendre la région</translation>
     </message>
     <message>
         <source>{}: a text of {} bytes</source>
@@ -9536,6 +9576,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: is {} itself under another name, not a copy; nothing was removed</source>
         <translation>{} : est {} lui-même sous un autre nom, pas une copie ; rien n'a été supprimé</translation>
+    </message>
+    <message>
+        <source>{}: it is not the file any more that was written</source>
+        <translation>{} : ce n'est plus le fichier qui a été écrit</translation>
     </message>
     <message>
         <source>{}: its calibrations do not tell on which touchpad they were made; they are used with {}</source>
@@ -9866,8 +9910,8 @@ Pour commencer : %1</translation>
         <translation>{} : le lecteur CSV n'a pas pu démarrer</translation>
     </message>
     <message>
-        <source>{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list --rebuild FOLDER` moves the file aside and reads the recordings again</source>
-        <translation>{} : le catalogue est endommagé ({}) ; les enregistrements n'en sont pas touchés. `fyd session list --rebuild FOLDER` met le fichier de côté et relit les enregistrements</translation>
+        <source>{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list --rebuild FOLDER{}` moves the file aside and reads the recordings again</source>
+        <translation>{} : le catalogue est endommagé ({}) ; les enregistrements n'en sont pas touchés. `fyd session list --rebuild FOLDER{}` met le fichier de côté et relit les enregistrements</translation>
     </message>
     <message>
         <source>{}: the copy cannot get its name: {}</source>
@@ -10086,6 +10130,10 @@ Pour commencer : %1</translation>
         <translation>{} : {} est encore en cours d'enregistrement ; l'arrêter d'abord</translation>
     </message>
     <message>
+        <source>{}: {} rows a second; expected {} and more: are the times in seconds?</source>
+        <translation>{} : {} lignes par seconde ; {} ou plus attendues : les temps sont-ils en secondes ?</translation>
+    </message>
+    <message>
         <source>{}: {} rows of {} bytes each, while the whole file takes {} bytes</source>
         <translation>{} : {} lignes de {} octets chacune, alors que le fichier entier prend {} octets</translation>
     </message>
@@ -10152,6 +10200,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}:{}: a key of more than {} parts; expected a table and a name</source>
         <translation>{}:{} : une clé de plus de {} parties ; attendu une table et un nom</translation>
+    </message>
+    <message>
+        <source>{}:{}: column '{}' stands there more than once; expected each name once</source>
+        <translation>{}:{} : la colonne '{}' s'y trouve plus d'une fois ; attendu chaque nom une fois</translation>
     </message>
     <message>
         <source>{}:{}: column {}: '{}' is not a number</source>

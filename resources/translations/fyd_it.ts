@@ -5698,8 +5698,16 @@ Per cominciare: %1</translation>
         <translation>indirizzo "{}": manca la porta; atteso HOST:PORT come 127.0.0.1:3490 o [::1]:3490</translation>
     </message>
     <message>
+        <source>address "{}": only a link-local address (fe80::…) has an interface after %</source>
+        <translation>indirizzo "{}": solo un indirizzo link-local (fe80::…) ha un'interfaccia dopo %</translation>
+    </message>
+    <message>
         <source>address "{}": port "{}" is not a whole number from 0 to 65535</source>
         <translation>indirizzo "{}": la porta "{}" non è un numero intero da 0 a 65535</translation>
+    </message>
+    <message>
+        <source>address "{}": there is no network interface "{}"</source>
+        <translation>indirizzo "{}": non c'è un'interfaccia di rete "{}"</translation>
     </message>
     <message>
         <source>again and again</source>
@@ -5758,6 +5766,10 @@ Per cominciare: %1</translation>
         <translation>un asse oscilla di {:.3f} g; atteso al più {:g}: si muove: mettere il robot a riposo</translation>
     </message>
     <message>
+        <source>an exception with a number that Modbus does not have</source>
+        <translation>un'eccezione con un numero che Modbus non prevede</translation>
+    </message>
+    <message>
         <source>an unknown state</source>
         <translation>uno stato sconosciuto</translation>
     </message>
@@ -5784,6 +5796,10 @@ Per cominciare: %1</translation>
     <message>
         <source>another file</source>
         <translation>un altro file</translation>
+    </message>
+    <message>
+        <source>another program has made the file shorter while it was written</source>
+        <translation>un altro programma ha accorciato il file mentre veniva scritto</translation>
     </message>
     <message>
         <source>another robot is served</source>
@@ -7658,6 +7674,10 @@ Per cominciare: %1</translation>
         <translation>quota del raggio %1 ± %2</translation>
     </message>
     <message>
+        <source>rate = {} Hz: expected {} … {}</source>
+        <translation>frequenza = {} Hz: attesi {} … {}</translation>
+    </message>
+    <message>
         <source>reach_mm of a soft body is {}; expected more than 0</source>
         <translation>reach_mm di un corpo morbido è {}; atteso più di 0</translation>
     </message>
@@ -7726,6 +7746,10 @@ Per cominciare: %1</translation>
         <translation>registrazione: nessuna vibrazione oltre {} Hz</translation>
     </message>
     <message>
+        <source>recording: sample {} is {} g: expected {} … {}</source>
+        <translation>registrazione: il campione {} è {} g: attesi {} … {}</translation>
+    </message>
+    <message>
         <source>recording: {} g around {} Hz: expected at most {} g</source>
         <translation>registrazione: {} g intorno a {} Hz: atteso al massimo {} g</translation>
     </message>
@@ -7744,6 +7768,10 @@ Per cominciare: %1</translation>
     <message>
         <source>relay: the called side's address {} has no port</source>
         <translation>relè: l'indirizzo {} del lato chiamato non ha porta</translation>
+    </message>
+    <message>
+        <source>relay: {} stands on both sides; expected two addresses</source>
+        <translation>relè: {} sta da entrambe le parti; attesi due indirizzi</translation>
     </message>
     <message>
         <source>renaming of preset %1</source>
@@ -7822,8 +7850,8 @@ Per cominciare: %1</translation>
         <translation>obiettivo del robot ({}, {}, {}) mm: attesi tre numeri finiti</translation>
     </message>
     <message>
-        <source>row {}: position {} mm; expected a finite one, or NaN in a gap</source>
-        <translation>riga {}: posizione {} mm; attesa una finita, o NaN in una lacuna</translation>
+        <source>row {}: position {} mm; expected one within ±{}, or NaN in a gap</source>
+        <translation>riga {}: posizione {} mm; attesa una entro ±{}, o NaN in una lacuna</translation>
     </message>
     <message>
         <source>row {}: time {} s; expected one later than the row before</source>
@@ -9130,6 +9158,10 @@ Per cominciare: %1</translation>
         <translation>{} righe di {} mancano prima della sua riga {} ({})</translation>
     </message>
     <message>
+        <source>{} rows, none of them with a position; expected one and more</source>
+        <translation>{} righe, nessuna con una posizione; attesa una o più</translation>
+    </message>
+    <message>
         <source>{} rows; expected two and more</source>
         <translation>{} righe; attese due o più</translation>
     </message>
@@ -9202,6 +9234,10 @@ Per cominciare: %1</translation>
         <translation>{}, {} a {:.4g} fps, a ripetizione</translation>
     </message>
     <message>
+        <source>{}. Nothing is promised of {}.partial: another program has removed, replaced or shortened it</source>
+        <translation>{}. Nulla è garantito di {}.partial: un altro programma lo ha rimosso, sostituito o accorciato</translation>
+    </message>
+    <message>
         <source>{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover</source>
         <translation>{}. Ciò che è stato scritto fino a {:.1f} s è al sicuro in {}.partial; renderlo intero con: fyd session recover</translation>
     </message>
@@ -9256,6 +9292,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: a size in it is beyond all reason</source>
         <translation>{}: contiene una dimensione fuori da ogni misura</translation>
+    </message>
+    <message>
+        <source>{}: a table has no pictures of which to take the region</source>
+        <translation>{}: una tabella non ha immagini di cui prendere la regione</translation>
     </message>
     <message>
         <source>{}: a text of {} bytes</source>
@@ -9536,6 +9576,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: is {} itself under another name, not a copy; nothing was removed</source>
         <translation>{}: è {} stesso con un altro nome, non una copia; nulla è stato rimosso</translation>
+    </message>
+    <message>
+        <source>{}: it is not the file any more that was written</source>
+        <translation>{}: non è più il file che è stato scritto</translation>
     </message>
     <message>
         <source>{}: its calibrations do not tell on which touchpad they were made; they are used with {}</source>
@@ -9866,8 +9910,8 @@ Per cominciare: %1</translation>
         <translation>{}: il lettore CSV non è partito</translation>
     </message>
     <message>
-        <source>{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list --rebuild FOLDER` moves the file aside and reads the recordings again</source>
-        <translation>{}: il catalogo è danneggiato ({}); le registrazioni non ne sono toccate. `fyd session list --rebuild FOLDER` sposta da parte il file e rilegge le registrazioni</translation>
+        <source>{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list --rebuild FOLDER{}` moves the file aside and reads the recordings again</source>
+        <translation>{}: il catalogo è danneggiato ({}); le registrazioni non ne sono toccate. `fyd session list --rebuild FOLDER{}` sposta da parte il file e rilegge le registrazioni</translation>
     </message>
     <message>
         <source>{}: the copy cannot get its name: {}</source>
@@ -10086,6 +10130,10 @@ Per cominciare: %1</translation>
         <translation>{}: {} è ancora in registrazione; fermarla prima</translation>
     </message>
     <message>
+        <source>{}: {} rows a second; expected {} and more: are the times in seconds?</source>
+        <translation>{}: {} righe al secondo; attese {} o più: i tempi sono in secondi?</translation>
+    </message>
+    <message>
         <source>{}: {} rows of {} bytes each, while the whole file takes {} bytes</source>
         <translation>{}: {} righe di {} byte ciascuna, mentre l'intero file occupa {} byte</translation>
     </message>
@@ -10152,6 +10200,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}:{}: a key of more than {} parts; expected a table and a name</source>
         <translation>{}:{}: una chiave di più di {} parti; attesi una tabella e un nome</translation>
+    </message>
+    <message>
+        <source>{}:{}: column '{}' stands there more than once; expected each name once</source>
+        <translation>{}:{}: la colonna '{}' c'è più di una volta; atteso ogni nome una volta</translation>
     </message>
     <message>
         <source>{}:{}: column {}: '{}' is not a number</source>

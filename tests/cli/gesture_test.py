@@ -49,6 +49,8 @@ class Gesture(fyd.Case):
         self.assertIn("--from 3 --to 3", self.refused(2, *trim, "--from", 3, "--to", 3))
         for name in (201 * "a", "a\nb"):
             self.assertIn("--name", self.refused(2, *trim, "--name", name))
+        for command in (trim, touch):
+            self.assertIn("--name: empty; leave the option out", self.refused(2, *command, "--name", ""))
         for number in ("0", "-1", "1.5", "99999999999999999999"):
             self.assertIn(f"--touch: {number}: expected a whole number", self.refused(2, *touch, f"--touch={number}"))
         self.assertIn("nowhere", self.refused(1, *touch, "--touch", 1, "--speed", 20, "--name", 200 * "a"))

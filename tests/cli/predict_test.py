@@ -165,6 +165,16 @@ class Predict(fyd.Case):
         self.assertIn("z_mm", self.refused(1, "predict", TELEOP, "--columns", "z_mm", "--json"))
         self.assertIn("twice", self.refused(2, "predict", TELEOP, "--columns", "master_mm,master_mm"))
         self.assertIn("one to three", self.refused(2, "predict", TELEOP, "--columns", "a,b,c,d"))
+        self.assertIn("t_s is the time", self.refused(2, "predict", TELEOP, "--columns", "t_s"))
+        for words in ("master_mm,", ",master_mm", "master_mm,,slave_mm", ","):
+            self.assertIn(f"{words}: expected a word before and after each comma",
+                          self.refused(2, "predict", TELEOP, "--columns", words))
+        for header in ("t_s,x_mm,x_mm", "t_s,t_s,x_mm"):
+            twice = self.write("twice.csv", header + "\n0,1,2\n1,2,3\n")
+            for columns in ((), ("--columns", "x_mm")):
+                self.assertRegex(self.refused(1, "predict", twice, *columns), "twice.csv:1: column '.*' stands there more than once")
+        unused = self.write("unused.csv", "t_s,note,note,x_mm\n0,1,2,3\n1,2,3,4\n")
+        self.json("predict", unused, "--delay", 0, "--json")  # what is not asked for may be there as often as it likes
         self.assertIn("none.csv", self.refused(1, "predict", self.path("none.csv")))
         self.assertIn("row 2", self.refused(1, "predict", self.write("back.csv", "t_s,x_mm\n1,0\n0.5,0\n")))
         self.assertIn("row 2", self.refused(1, "predict", self.write("inf.csv", "t_s,x_mm\n1,0\n2,inf\n")))

@@ -115,11 +115,47 @@ class Catalogue(fyd.Case):
         self.assertTrue(changes["moved"]["new_path"].endswith("2026/renamed.h5"))
         self.assertIn("[missing]", fyd.run("session", "list", *self.word).stdout)
 
+    def test_a_catalogue_that_is_not_there_is_not_made_by_looking_at_it(self):
+        folder = self.path("new")
+        absent = ("--catalogue", f"sqlite:{folder}/sessions.sqlite")
+        for command in (["list"], ["list", "--check"], ["tag", "abcd", "--add", "x"], ["notes", "abcd", "x"],
+                        ["forget", "abcd"]):
+            with self.subTest(command=command):
+                said = self.refused(1, "session", *command, *absent)
+                self.assertIn(f"{folder}/sessions.sqlite: there is no catalogue; `fyd session add` makes one", said)
+                self.assertFalse(os.path.exists(folder))
+        self.json("session", "add", self.a, *absent, "--json")
+        self.assertEqual(self.json("session", "list", *absent, "--json")["found"], 1)
+
+    def test_this_users_own_catalogue_is_empty_before_anything_is_in_it(self):
+        for word in ((), ("--catalogue", "sqlite")):
+            environment = os.environ | {"XDG_DATA_HOME": self.path("home" + str(len(word)))}
+            done = fyd.subprocess.run([fyd.PROGRAM, "session", "list", "--json", *word], env=environment, check=False,
+                                      capture_output=True, text=True, timeout=fyd.PATIENCE)
+            self.assertEqual((done.returncode, fyd.json.loads(done.stdout)["found"]), (0, 0), done.stderr)
+
+    def test_the_own_catalogues_advice_needs_no_name(self):
+        os.makedirs(self.path("fyd-console"))
+        own = self.path("fyd-console/sessions.sqlite")
+        shutil.copy(self.catalogue_of_a(), own)
+        with open(own, "r+b") as file:
+            file.write(b"x" * 1000)
+        done = fyd.subprocess.run([fyd.PROGRAM, "session", "list"], env=os.environ | {"XDG_DATA_HOME": self.folder},
+                                  check=False, capture_output=True, text=True, timeout=fyd.PATIENCE)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("`fyd session list --rebuild FOLDER`", done.stderr)
+
+    def catalogue_of_a(self):
+        self.json("session", "add", self.a, *self.word, "--json")
+        return self.file
+
     def test_a_damaged_catalogue_is_said_and_rebuilt(self):
         self.json("session", "add", self.data, *self.word, "--json")
         with open(self.file, "r+b") as file:
             file.write(b"x" * 1000)
-        self.assertIn("damaged", self.refused(1, "session", "list", *self.word))
+        said = self.refused(1, "session", "list", *self.word)
+        self.assertIn("damaged", said)
+        self.assertIn(f"`fyd session list --rebuild FOLDER --catalogue 'sqlite:{self.file}'`", said)
         rebuilt = self.json("session", "list", self.data, *self.word, "--rebuild", "--json")
         self.assertTrue(os.path.exists(rebuilt["moved_aside"]))
         self.assertEqual(rebuilt["scan"]["added"], 2)
@@ -159,7 +195,12 @@ class Catalogue(fyd.Case):
         text = self.write("c.h5", "no recording")
         done = fyd.run("session", "add", text, *self.word)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("c.h5", done.stderr)
+        self.assertEqual(done.stderr.count(text), 1, done.stderr)
+        done = fyd.run("session", "list", self.data)
+        self.assertEqual(done.stderr, "")
+        shutil.copy(text, self.data)
+        done = fyd.run("session", "list", self.data)
+        self.assertEqual(done.stderr.count(self.data), 1, done.stderr)
         self.refused(2, "session", "list", self.data, *self.word)
 
     def test_words_that_mean_nothing_are_refused_before_anything_is_opened(self):

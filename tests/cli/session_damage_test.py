@@ -96,6 +96,13 @@ class Damage(fyd.Case):
         self.assertEqual(len(rows), 1)
         turn_bit(self.file, rows[0] + 9, 2)
         self.assertFalse(self.said("verify", 1)["intact"])
+        for name in (self.file, self.file + ".partial"):
+            if name != self.file:
+                shutil.move(self.file, name)  # found by the other name, too
+            said = self.refused(1, "session", "replay", self.file)
+            self.assertEqual(said.count(self.file), 1, said)
+            self.assertIn(f"{name}: /inputs/motor_reference: rows 0 to 1 are damaged", said)
+        shutil.move(self.file + ".partial", self.file)
         recovered = self.said("recover", 3)
         self.assertEqual((recovered["samples"], recovered["lost_samples"]), (self.samples, 0))
         info = self.said("info", 0)

@@ -168,7 +168,10 @@ class Exports(fyd.Case):
         for words, said in ((["a.txt"], ".mcap"), (["a.csv", "--fields", "nothing_N"], "nothing_N"),
                             (["a.csv", "--fields", "force_N,force_N"], "asked for twice"),
                             (["a.csv", "--from", "3", "--to", "1"], "larger"), (["a.mkv", "--from", "nan"], "larger"),
-                            (["a.AVI", "--fields", "force_N"], "a video has no fields")):
+                            (["a.AVI", "--fields", "force_N"], "a video has no fields"),
+                            (["a.csv", "--fields", "force_N,"], "force_N,: expected a word before and after each comma"),
+                            (["a.csv", "--region"], "a.csv: a table has no pictures"),
+                            (["a.mat", "--region"], "a.mat: a table has no pictures")):
             # Whichever the recording: none is looked at.
             said_then = self.refused(2, "session", "export", self.path("nowhere.h5"), self.path(words[0]), *words[1:])
             self.assertIn(said, said_then)

@@ -171,6 +171,7 @@ class Crashes(fyd.Case):
     def test_a_killed_recorder_leaves_what_was_committed(self):
         path = self.killed()
         info = self.json("session", "info", path, "--json")
+        self.assertEqual(info["path"], path + ".partial")
         self.assertEqual(info["wholeness"], "crashed")
         self.assertNotEqual(info["health"], "good")
         self.assertIn("fyd session recover", info["health_reason"])
@@ -178,7 +179,8 @@ class Crashes(fyd.Case):
         self.assertEqual(recovered["result"], "whole")
         self.assertGreaterEqual(recovered["samples"], 1000)
         self.assertTrue(self.json("session", "verify", path, "--json")["intact"])
-        self.assertEqual(self.json("session", "info", path, "--json")["health"], "good")
+        info = self.json("session", "info", path, "--json")
+        self.assertEqual((info["path"], info["health"]), (path, "good"))
         self.assertTrue(self.json("session", "replay", path, "--json")["identical"])
 
     def test_a_file_of_which_nothing_can_be_read_exits_with_1_and_stays(self):
@@ -228,6 +230,8 @@ class Trials(fyd.Case):
 
     def test_bad_lists_are_wrong_usage(self):
         self.assertIn("'a'", self.refused(2, "session", "trials", "--conditions", "a,a"))
+        for words in ("a,,b", "a,", ",a", ","):
+            self.assertIn(f"{words}: expected a word", self.refused(2, "session", "trials", "--conditions", words))
         self.refused(2, "session", "trials", "--conditions", "a,b", "--repetitions", 0)
         self.assertIn("--repetitions: -1", self.refused(2, "session", "trials", "--conditions", "a,b", "--repetitions=-1"))
         for option in ("--limit", "--offset"):

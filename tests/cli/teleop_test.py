@@ -104,6 +104,13 @@ class Teleop(fyd.Case):
         self.assertIn("round trip -3", self.refused(1, *run, "--profile", self.write("n.csv", "sent_ms,rtt_ms\n0,5\n10,-3\n")))
         millis = self.write("millis.csv", "t_s,x_mm\n0,0\n60000,1\n")
         self.assertRegex(self.refused(1, "teleop", "run", "--trace", millis), "millis.csv: 60000 s .*3600: are the times in seconds")
+        lost = self.write("lost.csv", "t_s,x_mm\n" + "".join(f"{n},nan\n" for n in range(12)))
+        for command in (("teleop", "run", "--trace"), ("predict",)):
+            self.assertIn(f"{lost}: 12 rows, none of them with a position; expected one and more", self.refused(1, *command, lost))
+            for far in ("1e308", "-1e308", "2e9"):
+                beyond = self.write("beyond.csv", f"t_s,x_mm\n0,0\n1,{far}\n2,0\n")
+                self.assertRegex(self.refused(1, *command, beyond),
+                                 r"beyond.csv: row 2: position .* mm; expected one within ±1000000000, or NaN in a gap")
         self.assertIn("seconds", self.refused(2, "teleop", "table", "--seconds", 0))
         self.assertIn("no recordings", self.refused(1, "teleop", "table", "--data", self.path("empty")))
 
@@ -116,6 +123,12 @@ class Teleop(fyd.Case):
         for out in (hand, network, self.path("new.h5"), folder):
             with self.subTest(out=out):
                 self.assertIn(out, self.refused(1, "teleop", "table", "--data", folder, "--out", out))  # and no rows
+
+    def test_a_table_of_a_hand_that_comes_late_has_nothing_to_show(self):
+        rows = "".join(f"{n / 10},{'nan' if n < 30 else n}\n" for n in range(60))
+        late = self.write("late.csv", "t_s,x_mm\n" + rows)
+        said = self.refused(1, "teleop", "table", "--data", self.folder, "--seconds", 1, "--json")
+        self.assertIn(f"{late}: 11 rows, none of them with a position", said)
 
     def test_the_table_has_every_network_period_and_predictor(self):
         folder = self.path("data")

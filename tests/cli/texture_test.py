@@ -83,6 +83,34 @@ class Texture(fyd.Case):
         self.assertIn("3600 s at 100000 Hz are 360000000 samples: expected at most 10000000", said)
         self.assertFalse(os.path.exists(self.path("signal.csv")))
 
+    def test_times_in_milliseconds_are_not_taken_for_seconds(self):
+        millis = self.accelerations(rate_Hz=1)
+        hours = self.accelerations_of_hours()
+        for command in (("render",), ("contact",), ("fit",), ("felt", "-o", self.path("out.csv"))):
+            with self.subTest(command[0]):
+                said = self.refused(1, "texture", command[0], millis, *command[1:])
+                self.assertIn(f"{millis}: 1 rows a second; expected 10 and more: are the times in seconds?", said)
+                said = self.refused(1, "texture", command[0], hours, *command[1:])
+                self.assertIn(f"{hours}: 200000 s from the first row to the last; expected at most 86400: are the times "
+                              "in seconds?", said)
+        self.assertFalse(os.path.exists(self.path("out.csv")))
+
+    def accelerations_of_hours(self):
+        """200 s at 20 kHz, told in milliseconds, and most of it lost."""
+        return self.write("hours.csv", "t_s,ax,ay,az\n0,0,0,1\n0.05,0,0,1\n0.1,0,0,1\n200000,0,0,1\n")
+
+    def test_a_table_of_too_many_samples_is_named(self):
+        source = self.write("long.csv", "t_s,ax,ay,az\n0,0,0,1\n0.001,0,0,1\n0.002,0,0,1\n20000,0,0,1\n")
+        for command in (("render",), ("contact",), ("fit",), ("felt", "-o", self.path("out.csv"))):
+            with self.subTest(command[0]):
+                said = self.refused(1, "texture", command[0], source, *command[1:])
+                self.assertIn(f"{source}: 20000 s at 1000 Hz are 20000001 samples: expected at most 10000000", said)
+
+    def test_a_corner_is_for_the_filter_that_has_one_to_choose(self):
+        for name in ("thesis", "none"):
+            said = self.refused(2, "texture", "render", "nowhere", "--filter", name, "--corner", 20)
+            self.assertIn(f"--corner 20 Hz: filter {name} has none to choose; expected --filter default", said)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -97,6 +97,15 @@ class Usage(fyd.Case):
                     self.assertRegex(self.refused(2, *command, f"{option}={value}"),
                                      f"{option}: {value}: expected a number from [0-9.]+ to [0-9.e+]+")
 
+    def test_help_that_cannot_be_written_is_no_success(self):
+        for words in (["--help"], ["--version"], ["session", "--help"], ["session", "list", "--help"]):
+            with self.subTest(words=words), open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([fyd.PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+                                      timeout=fyd.PATIENCE)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("standard output: not all", done.stderr)
+            self.assertEqual(fyd.run(*words).returncode, 0)
+
     def test_an_empty_value_is_not_an_option_left_out(self):
         station = ("station", "--simulate", "--duration", 1)
         for command in ((*station, "--record", ""), (*station, "--telemetry", ""), (*station, "--profile", ""),

@@ -99,6 +99,13 @@ class WriteTargets(fyd.Case):
         with open(self.path("rows.csv"), encoding="utf-8") as file:
             self.assertIn("t_s", file.readline())
 
+    def test_why_a_table_could_not_be_written_is_said(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([fyd.PROGRAM, "stiffness", "--target", "0.6", "--course", "/dev/stdout"], stdout=full,
+                                  stderr=subprocess.PIPE, text=True, check=False, timeout=fyd.PATIENCE)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("/dev/stdout: writing failed: No space left on device", done.stderr)
+
     def test_what_a_command_reads_and_recordings_are_never_written_over(self):
         kept = self.path("kept.dat")  # a recording by its bytes
         shutil.copy(self.recording, kept)

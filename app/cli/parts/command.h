@@ -6,6 +6,7 @@
 #include <exception>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -59,6 +60,10 @@ template <class Judge>
 /// CLI11 by itself reads 010 as 8, and takes −1 for the largest unsigned number.
 [[nodiscard]] CLI::Validator wholeNumberFrom(std::int64_t least,
                                              std::int64_t most = std::numeric_limits<std::int64_t>::max());
+
+/// An option whose value is one or more words with commas between them; none of them may be empty.
+CLI::Option* addWords(CLI::App& command, const std::string& name, std::vector<std::string>& into,
+                      const std::string& help);
 
 /// Doubles that are not finite become null, as JSON has no NaN.
 [[nodiscard]] nlohmann::ordered_json jsonNumber(double value);

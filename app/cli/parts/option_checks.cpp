@@ -30,4 +30,19 @@ CLI::Validator wholeNumberFrom(std::int64_t least, std::int64_t most) {
       fmt::format("INT in [{} - {}]", least, most));
 }
 
+CLI::Option* addWords(CLI::App& command, const std::string& name, std::vector<std::string>& into,
+                      const std::string& help) {
+  // Not by CLI11's delimiter, which leaves empty words out in silence.
+  const auto split = [&into](const std::vector<std::string>& values) {
+    into.clear();
+    for (const std::string& value : values) {
+      for (const std::string& word : CLI::detail::split(value, ',')) into.push_back(word);
+    }
+  };
+  return command.add_option_function<std::vector<std::string>>(name, split, help)->check([](const std::string& value) {
+    const bool gap = value.starts_with(',') || value.ends_with(',') || value.find(",,") != std::string::npos;
+    return gap ? fmt::format("{}: expected a word before and after each comma", value) : std::string();
+  });
+}
+
 }  // namespace fyd::cli

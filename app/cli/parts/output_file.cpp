@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "app/cli/parts/command.h"
+#include "core/base/system_reason.h"
 #include "core/base/write_target.h"
 #include "core/station/profile/replace_file.h"
 
@@ -121,24 +123,28 @@ OutputFile::~OutputFile() {
 
 void OutputFile::begin() {
   if (std::exchange(begun_, true) || target_.empty()) return;
-  whole_ = ::ftruncate(::fileno(file_.get()), 0) == 0;
+  note(::ftruncate(::fileno(file_.get()), 0) == 0);
+}
+
+void OutputFile::note(bool written) {
+  if (!written && problem_ == 0) problem_ = errno != 0 ? errno : EIO;
 }
 
 void OutputFile::write(std::string_view text) {
   if (part_) return valueOrFail(part_->write(text));
   begin();
-  whole_ = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && whole_;
+  note(std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size());
 }
 
 void OutputFile::flush() {
-  if (!part_) whole_ = std::fflush(file_.get()) == 0 && whole_;
+  if (!part_) note(std::fflush(file_.get()) == 0);
 }
 
 void OutputFile::close() {
   if (part_) return valueOrFail(part_->commit());
   begin();
-  whole_ = std::fclose(file_.release()) == 0 && whole_;
-  if (!whole_) throw Failure(say("{}: writing failed; is the disk full?", path_));
+  note(std::fclose(file_.release()) == 0);
+  if (problem_ != 0) throw Failure(say("{}: writing failed: {}", path_, systemReason(problem_)));
 }
 
 }  // namespace fyd::cli

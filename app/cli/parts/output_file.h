@@ -45,6 +45,7 @@ class OutputFile {
   };
 
   void begin();
+  void note(bool written);
 
   std::string path_;
   std::optional<recording::ExportFile> part_;  ///< of a file that appears whole
@@ -52,7 +53,7 @@ class OutputFile {
   bool made_ = false;                          ///< it was not there before
   bool begun_ = false;
   std::unique_ptr<std::FILE, Closer> file_;
-  bool whole_ = true;
+  int problem_ = 0;  ///< errno of the first write that failed
 };
 
 }  // namespace fyd::cli

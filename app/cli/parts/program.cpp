@@ -18,7 +18,7 @@ namespace {
 /// Texts that may be empty.
 bool isFreeText(const CLI::Option& option) {
   const std::string& name = option.get_single_name();
-  return name == "notes" || name == "text" || name == "operator" || name == "subject" || name == "name";
+  return name == "notes" || name == "text" || name == "operator" || name == "subject";
 }
 
 /// An empty value is a variable of a script that was not set: it never means that the option was left out.
@@ -76,7 +76,7 @@ int runProgram(CLI::App& app, int argc, char** argv) {
     const int code = app.exit(error);
     Message message = verbatim(error.what());
     message.kind = MessageKind::command;
-    return code == 0 ? 0 : failed(message, 2);
+    if (code != 0) return failed(message, 2);  // 0: help or version was asked for, and is written as any other output
   } catch (const Failure& error) {
     return complain(error.message, error.code);
   } catch (const std::exception& error) {

@@ -2,14 +2,25 @@
 
 #include <algorithm>
 
-#include "app/cli/parts/command.h"
 #include "core/base/csv.h"
 
 namespace fyd::cli {
+namespace {
+
+constexpr const char* kTime = "t_s";
+
+}  // namespace
+
+void addColumnsOption(CLI::App& command, std::vector<std::string>& columns) {
+  addWords(command, "--columns", columns, "One to three columns, such as x_mm,y_mm");
+}
 
 NamedTrace readTrace(const std::string& path, std::vector<std::string> columns, double most_s) {
   if (columns.size() > teleop::kMostAxes) {
     throw UsageError(say("--columns: {} columns; expected one to three", columns.size()));
+  }
+  if (std::ranges::find(columns, kTime) != columns.end()) {
+    throw UsageError(say("--columns: {} is the time; expected columns of positions in mm", kTime));
   }
   std::vector<std::string> sorted = columns;
   std::ranges::sort(sorted);
@@ -18,7 +29,7 @@ NamedTrace readTrace(const std::string& path, std::vector<std::string> columns, 
   }
   const std::string text = readCsvText(path);  // once: a pipe cannot be read again
   if (columns.empty()) {
-    const CsvTable head = valueOrFail(parseCsv(text, path, {"t_s"}));
+    const CsvTable head = valueOrFail(parseCsv(text, path, {kTime}));
     for (const std::string& each : head.header) {
       if (each.ends_with("_mm")) columns.push_back(each);
     }
@@ -27,7 +38,7 @@ NamedTrace readTrace(const std::string& path, std::vector<std::string> columns, 
       throw Failure(say("{}: {} columns end in _mm; expected one to three, or --columns", path, columns.size()));
     }
   }
-  std::vector<std::string> wanted = {"t_s"};
+  std::vector<std::string> wanted = {kTime};
   wanted.insert(wanted.end(), columns.begin(), columns.end());
   const CsvTable table = valueOrFail(parseCsv(text, path, wanted));
   NamedTrace out{.columns = std::move(columns), .trace = {}};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/parts/command.h"
 #include "core/teleop/prediction/prediction_trial.h"
 
 namespace fyd::cli {
@@ -12,6 +13,9 @@ struct NamedTrace {
   std::vector<std::string> columns;
   teleop::Trace trace;
 };
+
+/// --columns, for readTrace.
+void addColumnsOption(CLI::App& command, std::vector<std::string>& columns);
 
 /// @param columns one to three; when empty `master_mm` if there is one, otherwise all that end in _mm
 /// @param most_s from the first row to the last

@@ -32,7 +32,7 @@ catalogue::CatalogueEntry entryFor(const catalogue::Catalogue& catalogue, const 
 }
 
 void runAdd(const SessionCatalogueOptions& options) {
-  catalogue::Catalogue catalogue = openCatalogue(options.catalogue);
+  catalogue::Catalogue catalogue = openCatalogue(options.catalogue, AbsentCatalogue::made);
   catalogue::ScanReport report;
   for (const std::string& path : options.paths) {
     std::error_code error;
@@ -46,7 +46,7 @@ void runAdd(const SessionCatalogueOptions& options) {
     }
     const auto entry = catalogue::readCatalogueEntry(path);
     if (!entry) {
-      report.unreadable.push_back(about(path, entry.error().message));
+      report.unreadable.push_back(entry.error().message);
       continue;
     }
     const bool known = !valueOrFail(catalogue.search({.id = entry->id})).empty();
@@ -72,7 +72,7 @@ void runStore(const SessionCatalogueOptions& options) {
 
 void runTag(const SessionCatalogueOptions& options) {
   valueOrUsage(catalogue::checkTags(options.add));
-  catalogue::Catalogue catalogue = openCatalogue(options.catalogue);
+  catalogue::Catalogue catalogue = openCatalogue(options.catalogue, AbsentCatalogue::refused);
   const auto entry = entryFor(catalogue, options.target);
   std::set<std::string> tags(entry.tags.begin(), entry.tags.end());
   tags.insert(options.add.begin(), options.add.end());
@@ -90,7 +90,7 @@ void runTag(const SessionCatalogueOptions& options) {
 
 void runNotes(const SessionCatalogueOptions& options) {
   valueOrUsage(catalogue::checkNotes(options.notes));
-  catalogue::Catalogue catalogue = openCatalogue(options.catalogue);
+  catalogue::Catalogue catalogue = openCatalogue(options.catalogue, AbsentCatalogue::refused);
   const auto entry = entryFor(catalogue, options.target);
   valueOrFail(catalogue.setNotes(entry.id, options.notes));
   const auto now = valueOrFail(catalogue.get(entry.id));
@@ -102,7 +102,7 @@ void runNotes(const SessionCatalogueOptions& options) {
 }
 
 void runForget(const SessionCatalogueOptions& options) {
-  catalogue::Catalogue catalogue = openCatalogue(options.catalogue);
+  catalogue::Catalogue catalogue = openCatalogue(options.catalogue, AbsentCatalogue::refused);
   const auto entry = entryFor(catalogue, options.target);
   valueOrFail(catalogue.remove(entry.id));
   if (options.json) {
@@ -126,7 +126,13 @@ void failUnread(const catalogue::ScanReport& report) {
   if (!report.unreadable.empty()) throw Failure(report.unreadable.front());
 }
 
-catalogue::Catalogue openCatalogue(const std::string& word) {
+catalogue::Catalogue openCatalogue(const std::string& word, AbsentCatalogue absent) {
+  const auto address = valueOrFail(catalogue::parseCatalogueAddress(word));
+  std::error_code none;
+  if (absent == AbsentCatalogue::refused && address.kind == catalogue::CatalogueAddress::Kind::sqlite &&
+      !catalogue::isDefault(address) && !std::filesystem::exists(address.target, none) && !none) {
+    throw Failure(say("{}: there is no catalogue; `fyd session add` makes one", address.target));
+  }
   auto catalogue = valueOrFail(catalogue::Catalogue::open(word));
   const catalogue::PendingReport& pending = catalogue.pending();
   if (pending.delivered > 0) {

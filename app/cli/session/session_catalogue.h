@@ -13,8 +13,10 @@ namespace fyd::cli {
 void addSessionCatalogue(CLI::App& session);
 
 void addCatalogueOption(CLI::App& command, std::string& word);
+/// What happens to a SQLite file that is not there. This user's own catalogue is always made.
+enum class AbsentCatalogue { made, refused };
 /// Failure when it cannot be opened. Entries that had waited are mentioned on standard error.
-[[nodiscard]] catalogue::Catalogue openCatalogue(const std::string& word);
+[[nodiscard]] catalogue::Catalogue openCatalogue(const std::string& word, AbsentCatalogue absent);
 
 [[nodiscard]] nlohmann::ordered_json toJson(const catalogue::CatalogueEntry& entry);
 [[nodiscard]] nlohmann::ordered_json toJson(const catalogue::ScanReport& report);

@@ -17,14 +17,6 @@ struct ExportCommand {
   exports::ExportOptions options;
 };
 
-/// Two files are involved: an error that names neither gets the recording's name.
-template <class T>
-Result<T> naming(const ExportCommand& command, Result<T> result) {
-  const auto names = [&](const std::string& file) { return result.error().text().find(file) != std::string::npos; };
-  if (result || names(command.session.file) || names(command.out)) return result;
-  return fail(about(command.session.file, result.error().message));
-}
-
 /// A file to be replaced may be the recording itself, or another one.
 void refuseToReplace(const ExportCommand& command, const std::vector<std::string>& files) {
   if (!command.options.replace) return;
@@ -35,8 +27,8 @@ void runExport(const ExportCommand& command) {
   valueOrUsage(exports::checkExport(command.out, command.options));
   refuseToReplace(command, exports::exportFiles(command.out));
   const auto recording = openRecording(command.session.file);
-  const exports::ExportResult result =
-      valueOrFail(naming(command, exports::exportRecording(*recording, command.out, command.options)));
+  const exports::ExportResult result = valueOrFail(
+      naming(command.session.file, exports::exportRecording(*recording, command.out, command.options), command.out));
   nlohmann::ordered_json json;
   json["files"] = result.files;
   for (const std::string& file : result.files) json["bytes"].push_back(std::filesystem::file_size(file));
@@ -59,7 +51,8 @@ void runExport(const ExportCommand& command) {
 void runReport(const ExportCommand& command) {
   refuseToReplace(command, {command.out});
   const auto recording = openRecording(command.session.file);
-  valueOrFail(naming(command, report::writeReport(*recording, command.out, command.options.replace)));
+  valueOrFail(
+      naming(command.session.file, report::writeReport(*recording, command.out, command.options.replace), command.out));
   nlohmann::ordered_json json;
   json["file"] = command.out;
   json["bytes"] = std::filesystem::file_size(command.out);
@@ -79,8 +72,7 @@ void addSessionExport(CLI::App& parent) {
       ->required();
   command->add_option("--from", options->options.from_s, "First second from the recording's start");
   command->add_option("--to", options->options.to_s, "Last second");
-  command->add_option("--fields", options->options.fields, "Telemetry fields, with commas between; all when left out")
-      ->delimiter(',');
+  addWords(*command, "--fields", options->options.fields, "Telemetry fields, with commas between; all when left out");
   command->add_flag("--region", options->options.region,
                     "Pictures: the finger detector's region of interest, exactly, instead of the whole picture");
   command->add_flag("--force", options->options.replace, "Replace files that exist");

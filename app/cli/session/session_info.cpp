@@ -66,7 +66,8 @@ void addSessionInfo(CLI::App& parent) {
   CLI::App* command = parent.add_subcommand("info", "What a recording is and holds");
   addSessionOptions(*command, *options);
   command->callback([options] {
-    auto json = describe(options->file, *openRecording(options->file));
+    const auto recording = openRecording(options->file);
+    auto json = describe(recording::existingName(options->file), *recording);
     if (!options->json) {  // texts of many lines are for --json
       json.erase("profile");
       json.erase("surface");

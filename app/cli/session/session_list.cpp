@@ -63,8 +63,8 @@ void runSessionList(const SessionListOptions& options) {
     throw UsageError(say("session list: --check is for a catalogue, not for a FOLDER"));
   valueOrUsage(catalogue::checkFilter(options.filter));
   catalogue::ScanReport scan;
-  catalogue::Catalogue catalogue =
-      options.folder.empty() ? openCatalogue(options.catalogue) : catalogueOfFolder(options.folder, scan);
+  catalogue::Catalogue catalogue = options.folder.empty() ? openCatalogue(options.catalogue, AbsentCatalogue::refused)
+                                                          : catalogueOfFolder(options.folder, scan);
   auto changes = nlohmann::ordered_json::array();
   if (options.check) {
     for (const catalogue::FileChange& change : valueOrFail(catalogue.checkFiles())) {

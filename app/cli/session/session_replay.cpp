@@ -102,9 +102,8 @@ void addSessionReplay(CLI::App& parent) {
         csv->write(replayed);
       };
     }
-    const auto replayed = replay::replay(*recording, options->replay, observer);
-    if (!replayed) throw Failure(about(options->session.file, replayed.error().message));
-    const replay::ReplayResult& result = *replayed;
+    const replay::ReplayResult result =
+        valueOrFail(naming(options->session.file, replay::replay(*recording, options->replay, observer)));
     if (csv) csv->close();
     printValues(toJson(result, recording->info()), options->session.json);
     const bool proves = !result.what_if && !result.closed_loop;

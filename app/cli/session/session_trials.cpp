@@ -17,7 +17,7 @@ void addSessionTrials(CLI::App& parent) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       parent.add_subcommand("trials", "Trials in a random, balanced order; the same seed, the same order");
-  command->add_option("--conditions", options->conditions, "Names, separated by commas")->required()->delimiter(',');
+  addWords(*command, "--conditions", options->conditions, "Names, separated by commas")->required();
   command->add_option("--repetitions", options->repetitions, "How often each condition comes")
       ->transform(wholeNumberFrom(1, experiment::kMaximumRepetitions));
   command->add_option("--seed", options->seed, "Gives the same order again")->transform(wholeNumberFrom(0));

@@ -144,7 +144,7 @@ void add_teleop(CLI::App& app) {
   CLI::App* run = teleop->add_subcommand("run", "A recorded hand moves one simulated desktop arm, another one follows");
   run->add_option("--trace", options->trace, "CSV with t_s and one to three columns in mm; gaps are crossed straight")
       ->required();
-  run->add_option("--columns", options->columns, "One to three columns, such as x_mm,y_mm")->delimiter(',');
+  addColumnsOption(*run, options->columns);
   run->add_option("--period", options->settings.period_ms, "Between two messages, both ways, ms")
       ->capture_default_str();
   run->add_option("--delay", options->delay_ms, "One way, ms; 50 when neither this nor a profile is given");

@@ -85,7 +85,12 @@ void runTable(const TableOptions& options) {
   }
   std::vector<NamedTrace> traces;
   traces.reserve(files.size());
-  for (const auto& file : files) traces.push_back(beginning(readTrace(file, {}), options.seconds));
+  for (const auto& file : files) {
+    traces.push_back(beginning(readTrace(file, {}), options.seconds));
+    if (auto good = teleop::checkTrace(traces.back().trace); !good) {  // it may begin with a long gap
+      throw Failure(about(file.string(), std::move(good.error().message)));
+    }
+  }
   const std::vector<Network> all = networks(options);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   std::vector<TeleopPanel> panels;

@@ -16,9 +16,11 @@ void writeSignal(const std::string& path, double start_s, double rate_Hz, std::s
 }
 
 Input readInput(const std::string& path, double rate_Hz) {
-  Input input{valueOrFail(texture::parseRecording(readTextFile(path), path, rate_Hz)), rate_Hz};
-  if (!(rate_Hz > 0.0)) input.rate_Hz = input.recording.rate_Hz;
-  return input;
+  const texture::Recording recording = valueOrFail(texture::parseRecording(readTextFile(path), path, rate_Hz));
+  if (!(rate_Hz > 0.0)) rate_Hz = recording.rate_Hz;
+  auto uniform = texture::makeUniform(recording, rate_Hz);
+  if (!uniform) throw Failure(about(path, std::move(uniform.error().message)));
+  return {recording.start_s, rate_Hz, std::move(*uniform)};
 }
 
 texture::FeltPlant readPlant(const std::string& path) {

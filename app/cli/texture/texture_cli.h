@@ -24,11 +24,13 @@ void addTextureIdentify(CLI::App& parent);
 void writeSignal(const std::string& path, double start_s, double rate_Hz, std::span<const double> signal,
                  const std::string& input);
 
-/// The recording and the rate to work at: `rate_Hz`, or the recording's own when that is 0.
+/// The recording at the rate to work at: `rate_Hz`, or the recording's own when that is 0.
 struct Input {
-  texture::Recording recording;
+  double start_s = 0.0;
   double rate_Hz = 0.0;
+  texture::UniformRecording uniform;
 };
+/// @throws Failure that names the file
 [[nodiscard]] Input readInput(const std::string& path, double rate_Hz);
 /// Constants of motors and cloth; keys that mean nothing are named on standard error. No path: the defaults.
 [[nodiscard]] texture::FeltPlant readPlant(const std::string& path);

@@ -21,8 +21,7 @@ struct TextureContactOptions {
 };
 
 void contact(const TextureContactOptions& options) {
-  const auto [recording, rate_Hz] = readInput(options.input, options.rate_Hz);
-  const UniformRecording uniform = valueOrFail(makeUniform(recording, rate_Hz));
+  const auto [start_s, rate_Hz, uniform] = readInput(options.input, options.rate_Hz);
   ContactDetector detector(options.parameters, rate_Hz);
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
   std::array<int, kEventNames.size()> counts{};
@@ -31,7 +30,7 @@ void contact(const TextureContactOptions& options) {
     const auto event = static_cast<std::size_t>(detector.step(uniform.steps[n].acceleration_g));
     ++counts[event];
     if (event == 0) continue;
-    const double t_s = recording.start_s + static_cast<double>(n) / rate_Hz;
+    const double t_s = start_s + static_cast<double>(n) / rate_Hz;
     events.push_back({{"t_s", t_s}, {"event", kEventNames[event]}});
     if (!options.json) std::cout << fmt::format("{:.6f} s  {}\n", t_s, kEventNames[event]);
   }

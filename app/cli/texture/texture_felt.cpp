@@ -134,7 +134,7 @@ void felt(const FeltOptions& options) {
   const FeltPlant plant = readPlant(options.plant);
   const double stretch_deg = options.stretch_given ? options.stretch_deg : plant.stretch_deg;
   const Input input = readInput(options.input, kRate_Hz);
-  const UniformRecording uniform = valueOrFail(makeUniform(input.recording, kRate_Hz));
+  const UniformRecording& uniform = input.uniform;
   const TextureParameters defaults;
   auto method = valueOrFail(makeMethod(choiceOf<MethodChoice>(kMethodNames, options.method), kRate_Hz,
                                        frameLength(defaults.frame), hopLength(defaults.frame, defaults.hop)));
@@ -152,7 +152,7 @@ void felt(const FeltOptions& options) {
     rows[n] = mapping.step(signal[n], in.gap || in.acceleration_g == Vec3{});
   }
   const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
-  write(options, input.recording.start_s, rows);
+  write(options, input.start_s, rows);
 
   nlohmann::ordered_json json = {
       {"mapping", options.mapping},

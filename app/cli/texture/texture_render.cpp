@@ -78,17 +78,20 @@ void render(const TextureRenderOptions& options) {
   const int hop = hopOf(options);
   const auto choice = choiceOf<MethodChoice>(kMethodNames, options.method);
   if (auto good = checkFrame(choice, options.frame, hop); !good) throw UsageError(good.error().message);
-  const auto [recording, rate_Hz] = readInput(options.input, options.rate_Hz);
   const auto filter = choiceOf<FilterChoice>(kFilterNames, options.filter);
+  if (options.corner_given && filter != FilterChoice::standard) {
+    throw UsageError(say("--corner {} Hz: filter {} has none to choose; expected --filter default", options.corner_Hz,
+                         options.filter));
+  }
+  const auto [start_s, rate_Hz, uniform] = readInput(options.input, options.rate_Hz);
   const double highest_Hz = signal::kHighestCorner * rate_Hz;
-  if (filter == FilterChoice::standard && options.corner_given && options.corner_Hz > highest_Hz) {
+  if (options.corner_given && options.corner_Hz > highest_Hz) {
     throw UsageError(say("--corner {} Hz: expected at most {} Hz, {} of the {} samples a second", options.corner_Hz,
                          highest_Hz, signal::kHighestCorner, rate_Hz));
   }
   OfflineChain chain(filter, options.corner_Hz, rate_Hz, valueOrFail(makeMethod(choice, rate_Hz, options.frame, hop)));
-  const UniformRecording uniform = valueOrFail(makeUniform(recording, rate_Hz));
   const Rendered rendered = renderAll(uniform.steps, chain, options.frame);
-  if (!options.output.empty()) writeSignal(options.output, recording.start_s, rate_Hz, rendered.signal, options.input);
+  if (!options.output.empty()) writeSignal(options.output, start_s, rate_Hz, rendered.signal, options.input);
 
   const int delay = chain.delaySamples();
   const ThreeAxes& axes = rendered.filtered;

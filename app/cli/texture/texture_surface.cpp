@@ -37,12 +37,12 @@ ThreeAxes axesOf(const UniformRecording& uniform) {
 }
 
 void fit(const FitOptions& options) {
-  const auto [recording, rate_Hz] = readInput(options.input, options.rate_Hz);
-  const ThreeAxes axes = axesOf(valueOrFail(makeUniform(recording, rate_Hz)));
+  const Input input = readInput(options.input, options.rate_Hz);
+  const ThreeAxes axes = axesOf(input.uniform);
   const std::string stem = std::filesystem::path(options.input).stem().string();
   const auto result = fitSurface(axes.x, axes.y, axes.z,
                                  {.name = options.name.empty() ? stem : options.name,
-                                  .sample_rate_Hz = rate_Hz,
+                                  .sample_rate_Hz = input.rate_Hz,
                                   .speed_mm_s = options.speed_mm_s,
                                   .force_N = options.force_N});
   if (!result) throw Failure(about(options.input, result.error().message));
@@ -51,7 +51,7 @@ void fit(const FitOptions& options) {
   if (options.json) {
     printJson({{"name", result->model.name},
                {"bands", result->model.bands.size()},
-               {"rate_Hz", rate_Hz},
+               {"rate_Hz", input.rate_Hz},
                {"spectral_match", jsonNumber(result->spectral_match)}});
   } else if (options.output.empty()) {
     std::cout << text;

@@ -62,6 +62,12 @@ std::string wholeOf(std::string path) {
   return path;
 }
 
+std::string existingName(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 && ::stat(partialOf(path).c_str(), &status) == 0) return partialOf(path);
+  return path;
+}
+
 std::string reviewNotesPath(const std::string& recording_path) {
   const std::string whole = wholeOf(recording_path);
   const std::string path = whole + kNotesEnding, former = partialOf(whole) + kNotesEnding;

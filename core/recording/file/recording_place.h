@@ -10,6 +10,8 @@ namespace fyd::recording {
 [[nodiscard]] std::string partialOf(const std::string& path);
 /// FILE, also for FILE.partial: the recording gets that name when it is recovered.
 [[nodiscard]] std::string wholeOf(std::string path);
+/// `path`, or the unfinished file beside it when only that is there.
+[[nodiscard]] std::string existingName(const std::string& path);
 /// Where the notes of a recording stand, or would stand: beside it, in FILE.notes.json; those of FILE.partial too, so that
 /// they stay with it when it is recovered. Earlier versions wrote FILE.partial.notes.json: that is it where only that is
 /// there.

@@ -32,12 +32,6 @@ int duplicate(int descriptor) {
 
 }  // namespace
 
-std::string existingName(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 && ::stat(partialOf(path).c_str(), &status) == 0) return partialOf(path);
-  return path;
-}
-
 bool isBeingRecorded(const std::string& path) { return recorderRuns(Descriptor(descriptorOf(path)).number()); }
 
 RecordingSource::RecordingSource(const std::string& path) : RecordingSource(descriptorOf(path), path) {}

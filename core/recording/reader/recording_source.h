@@ -4,12 +4,10 @@
 #include <memory>
 #include <string>
 
+#include "core/recording/file/recording_place.h"
 #include "core/recording/file/recording_storage.h"
 
 namespace fyd::recording {
-
-/// `path`, or the unfinished file beside it when only that is there.
-[[nodiscard]] std::string existingName(const std::string& path);
 
 /// @throws RecordingFailure: missing, unreadable, not a file
 [[nodiscard]] bool isBeingRecorded(const std::string& path);

@@ -5,8 +5,10 @@
 #include <limits>
 #include <random>
 
+#include "core/base/csv.h"
 #include "core/base/median.h"
 #include "core/signal/welch.h"
+#include "core/teleop/prediction/motion_history.h"
 #include "core/teleop/prediction/smooth_output.h"
 
 namespace fyd::teleop {
@@ -106,24 +108,26 @@ Result<void> checkTrace(const Trace& trace) {
     return fail("{} positions for {} times; expected one for each", trace.position_mm.size(), trace.time_s.size());
   }
   if (trace.time_s.size() < 2) return fail("{} rows; expected two and more", trace.time_s.size());
+  bool some = false;
   for (std::size_t i = 0; i < trace.time_s.size(); ++i) {
     if (!std::isfinite(trace.time_s[i]) || (i > 0 && !(trace.time_s[i] > trace.time_s[i - 1]))) {
       return fail("row {}: time {} s; expected one later than the row before", i + 1, trace.time_s[i]);
     }
     for (const double x : trace.position_mm[i]) {
-      if (std::isinf(x)) return fail("row {}: position {} mm; expected a finite one, or NaN in a gap", i + 1, x);
+      if (std::abs(x) > MotionHistory::kLargestCoordinate_mm) {
+        return fail("row {}: position {} mm; expected one within ±{}, or NaN in a gap", i + 1, x,
+                    MotionHistory::kLargestCoordinate_mm);
+      }
     }
+    some = some || !trace.gap(i);
   }
+  if (!some) return fail("{} rows, none of them with a position; expected one and more", trace.time_s.size());
   return checkLength(trace, kLongestTrace_s);
 }
 
 Result<void> checkLength(const Trace& trace, double most_s) {
   if (trace.time_s.empty()) return {};
-  if (const double length_s = trace.time_s.back() - trace.time_s.front(); length_s > most_s) {
-    return fail("{} s from the first row to the last; expected at most {}: are the times in seconds?", length_s,
-                most_s);
-  }
-  return {};
+  return fyd::checkLength(trace.time_s.back() - trace.time_s.front(), most_s);
 }
 
 Result<void> checkNetwork(const TrialNetwork& network) {

@@ -16,6 +16,7 @@
 
 #include "core/base/api.h"
 #include "core/base/error.h"
+#include "core/base/time.h"
 #include "core/teleop/prediction/predictor.h"
 
 namespace fyd::teleop {
@@ -30,12 +31,12 @@ struct FYD_API Trace {
   [[nodiscard]] double rate_Hz() const;
 };
 
-/// A day: what is computed of a trace grows with its time.
-inline constexpr double kLongestTrace_s = 86'400.0;
+/// What is computed of a trace grows with its time.
+inline constexpr double kLongestTrace_s = kDay_s;
 
-/// @return an error naming the row when the times do not rise or are not finite, or a position is infinite; or when
-///         there are fewer than two rows, not as many positions as times, or not 1 to kMostAxes axes; or when they last
-///         longer than kLongestTrace_s
+/// @return an error naming the row when the times do not rise or are not finite, or a position is further away than
+///         MotionHistory::kLargestCoordinate_mm; or when there are fewer than two rows, no row but gaps, not as many
+///         positions as times, or not 1 to kMostAxes axes; or when they last longer than kLongestTrace_s
 [[nodiscard]] FYD_API Result<void> checkTrace(const Trace& trace);
 /// @return an error when it lasts longer than this
 [[nodiscard]] FYD_API Result<void> checkLength(const Trace& trace, double most_s);

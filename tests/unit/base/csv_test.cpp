@@ -41,6 +41,13 @@ TEST(Csv, NamesWhatIsWrong) {
   EXPECT_EQ(message("t,x\n1,1e999\n"), "f.csv:2: column x: '1e999' is not a number");
 }
 
+TEST(Csv, ANameThatIsAskedForStandsInTheHeaderOnce) {
+  const auto twice = parseCsv("x,t,x\n1,2,3\n", "f.csv", {"t", "x"});
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().text(), "f.csv:1: column 'x' stands there more than once; expected each name once");
+  EXPECT_TRUE(parseCsv("x,t,x\n1,2,3\n", "f.csv", {"t"})) << "which of the others is meant is no question";
+}
+
 TEST(Csv, MoreColumnsThanATableHasAreRefused) {
   const auto table = [](std::size_t columns) {
     std::string text(columns - 1, ',');

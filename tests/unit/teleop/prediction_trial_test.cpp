@@ -157,6 +157,14 @@ TEST(PredictionTrial, WhatIsNoTraceAndNoNetworkIsRefusedByName) {
   EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {kNaN, 2.0}})).error().text(), HasSubstr("row 2"));
   EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {0.1, 1.0 / 0.0}})).error().text(), HasSubstr("inf"));
   EXPECT_TRUE(checkTrace(rows({{0.0, 1.0}, {0.1, kNaN}})));
+  EXPECT_EQ(checkTrace(rows({{0.0, kNaN}, {0.1, kNaN}, {0.2, kNaN}})).error().text(),
+            "3 rows, none of them with a position; expected one and more");
+  EXPECT_TRUE(checkTrace(rows({{0.0, 1e9}, {0.1, -1e9}})));
+  for (const double far : {1.001e9, -1.001e9, 1e308, -1e308}) {
+    EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {0.1, far}})).error().text(),
+                testing::AllOf(HasSubstr("row 2: position"), HasSubstr("within ±1000000000, or NaN in a gap")))
+        << far;
+  }
   EXPECT_TRUE(checkTrace(rows({{-400.0, 1.0}, {86'000.0, 2.0}})));
   EXPECT_THAT(checkTrace(rows({{0.0, 1.0}, {6e7, 2.0}})).error().text(), HasSubstr("in seconds?"));
   EXPECT_FALSE(checkTrace(rows({{-1e308, 1.0}, {1e308, 2.0}})));  // further apart than any number

@@ -177,10 +177,26 @@ TEST(Recording, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message("ax,ay,az\n1,1,1\n"), "r.csv: without a column t_s the sample rate must be given");
   EXPECT_NE(message("t_s,ax,ay\n0,1,1\n", 0.0), "none");
   EXPECT_NE(message("t_s,ax,ay,az\n"), "none");
-  EXPECT_EQ(message("t_s,ax,ay,az\n0,nan,1,1\n1,2,2,2\n"), "none");
-  const auto far = parseRecording("t_s,ax,ay,az\n0,1,1,1\n0.001,1,1,1\n1e9,1,1,1\n", "r.csv", 0.0);
+  EXPECT_EQ(message("t_s,ax,ay,az\n0,nan,1,1\n0.001,2,2,2\n"), "none");
+  const auto far = parseRecording("t_s,ax,ay,az\n0,1,1,1\n0.001,1,1,1\n8e4,1,1,1\n", "r.csv", 0.0);
   ASSERT_TRUE(far);
   EXPECT_FALSE(makeUniform(*far, 1000.0));
+}
+
+TEST(Recording, TimesThatAreNoSecondsAreRefused) {
+  const auto message = [](std::string_view text, double rate_Hz) {
+    const auto result = parseRecording(text, "r.csv", rate_Hz);
+    return result ? std::string("none") : result.error().text();
+  };
+  const std::string slow = "r.csv: 1 rows a second; expected 10 and more: are the times in seconds?";
+  for (const double rate_Hz : {0.0, 1000.0}) {
+    EXPECT_EQ(message("t_s,ax,ay,az\n0,1,1,1\n1,1,1,1\n2,1,1,1\n", rate_Hz), slow);
+    EXPECT_EQ(message("t_s,ax,ay,az\n0,1,1,1\n0.001,1,1,1\n1e9,1,1,1\n", rate_Hz),
+              "r.csv: 1000000000 s from the first row to the last; expected at most 86400: are the times in seconds?");
+  }
+  EXPECT_EQ(message("t_s,ax,ay,az\n0,1,1,1\n0.1,1,1,1\n0.2,1,1,1\n", 0.0), "none");
+  EXPECT_EQ(message("ax,ay,az\n1,1,1\n2,2,2\n", 1.0), "none") << "a table without times is as slow as it is said to be";
+  EXPECT_EQ(message("t_s,ax,ay,az\n0,1,1,1\n0,1,1,1\n", 1.0), "none");
 }
 
 TEST(Recording, TimesWithinANanosecondAreOneInstant) {
