@@ -181,7 +181,10 @@ void addParameters(py::module_& module) {
           py::arg("id"), py::arg("value"))
       .def(
           "__contains__",
-          [](const ParameterSet& set, const std::string& id) { return findParameter(set.bound(), id) != nullptr; },
+          [](const ParameterSet& set, const py::object& id) {
+            const auto text = utf8Of(id);
+            return text && findParameter(set.bound(), *text) != nullptr;
+          },
           py::arg("id"))
       .def("__len__", [](const ParameterSet& set) { return set.bound().size(); })
       .def("__iter__", [](const py::object& set) { return py::iter(set.attr("keys")()); })
@@ -193,6 +196,30 @@ void addParameters(py::module_& module) {
             return out;
           },
           "Ids of all parameters, in the order of the profile. Units: none.")
+      .def(
+          "values",
+          [](const ParameterSet& set) {
+            std::vector<py::object> out;
+            for (const Parameter& each : set.bound()) out.push_back(valueOf(each));
+            return out;
+          },
+          "Values of all parameters, in the order of their ids. Units: each parameter's own.")
+      .def(
+          "items",
+          [](const ParameterSet& set) {
+            std::vector<std::pair<std::string, py::object>> out;
+            for (const Parameter& each : set.bound()) out.emplace_back(each.id, valueOf(each));
+            return out;
+          },
+          "(Id, value) of all parameters, in that order. Units: each parameter's own.")
+      .def(
+          "get",
+          [](const ParameterSet& set, const std::string& id, py::object otherwise) {
+            const Parameter* found = findParameter(set.bound(), id);
+            return found == nullptr ? otherwise : valueOf(*found);
+          },
+          py::arg("id"), py::arg("default") = py::none(),
+          "Value of a parameter; `default` when there is none of this id. Units: the parameter's own.")
       .def("update", &update, py::arg("values"),
            "Sets several; none of them when one is not possible. Units: each parameter's own.")
       .def(

@@ -284,6 +284,8 @@ void addRecordings(py::module_& module) {
           [](OpenRecording& file, const std::string& name, double from_s, double to_s, std::size_t buckets) {
             const std::size_t column = columnNamed(name);
             if (column < kNotFields) throw Refusal{name + ": has no overview"};
+            if (buckets == 0) throw Refusal{"buckets: 0; expected 1 or more"};
+            if (!(from_s <= to_s)) throw Refusal{fmt::format("from_s: {}; expected at most to_s = {}", from_s, to_s)};
             auto overview = file.run(
                 [&](Recording& recording) { return recording.overview(column - kNotFields, from_s, to_s, buckets); });
             std::vector<double> low, high;
@@ -292,7 +294,8 @@ void addRecordings(py::module_& module) {
                                   arrayOf(std::move(high)));
           },
           py::arg("name"), py::arg("from_s"), py::arg("to_s"), py::arg("buckets"),
-          "Smallest and largest of a column between from_s and to_s [s], in at most so many buckets: (start of each "
+          "Smallest and largest of a column between from_s and to_s [s], in at most so many buckets, one or more: "
+          "(start of each "
           "bucket [s], smallest, largest [the column's unit]). No spike is lost.")
       .def(
           "events",

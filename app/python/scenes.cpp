@@ -27,7 +27,8 @@ scene::LengthUnit unitNamed(const std::string& name) {
   return static_cast<scene::LengthUnit>(found - scene::kLengthUnits.begin());
 }
 
-MeshOwner meshOf(const Numbers& vertices_mm, const py::array_t<std::int64_t, py::array::c_style>& triangles) {
+/// Triangles as numbers of any kind: as integers, NumPy would cut those of a list that are not whole.
+MeshOwner meshOf(const Numbers& vertices_mm, const Numbers& triangles) {
   const auto vertices = vectors(vertices_mm, "vertices_mm");
   if (triangles.ndim() != 2 || triangles.shape(1) != 3)
     throw Refusal{fmt::format("triangles: shape {}; expected (n, 3)", shapeOf(triangles))};
@@ -36,9 +37,9 @@ MeshOwner meshOf(const Numbers& vertices_mm, const py::array_t<std::int64_t, py:
   for (py::ssize_t i = 0; i < triangles.shape(0); ++i) {
     scene::Triangle triangle{};
     for (py::ssize_t corner = 0; corner < 3; ++corner) {
-      const std::int64_t vertex = triangles.at(i, corner);
-      if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices.size()))
-        throw Refusal{fmt::format("triangles: row {} names vertex {}; expected 0 to {}", i, vertex,
+      const double vertex = triangles.at(i, corner);
+      if (!(vertex >= 0.0 && vertex < static_cast<double>(vertices.size())) || std::floor(vertex) != vertex)
+        throw Refusal{fmt::format("triangles: row {} names vertex {}; expected one of 0 to {}", i, vertex,
                                   static_cast<std::int64_t>(vertices.size()) - 1)};
       triangle[static_cast<std::size_t>(corner)] = static_cast<std::uint32_t>(vertex);
     }
@@ -54,15 +55,22 @@ struct Touching {
 };
 using ContactOwner = Shared<Touching>;
 
+/// Of a body's keys in a scene file, those that say how it is touched.
+constexpr std::array<std::string_view, 8> kContactKeys = {
+    "contact",          "stiffness_N_per_mm", "damping_Ns_per_mm", "static_friction",
+    "kinetic_friction", "radius_mm",          "depth_mm",          "soft"};
+
 /// "stiffness_N_per_mm=0.8" is the key body.stiffness_N_per_mm of a scene file, with its range.
 std::unique_ptr<ContactOwner> contactOf(const MeshOwner& mesh, const py::kwargs& keys) {
   scene::BodyDescription body;
   body.contact = scene::ContactChoice::vicinity;
   const std::vector<Parameter> bound = bindParameters(body);
   for (const auto& [name, value] : keys) {
-    const Parameter* key = findParameter(bound, "body." + idOf(name));
-    if (key == nullptr) throw Refusal{fmt::format("{}: a body has no such key", idOf(name))};
-    assign(*key, value);
+    const std::string id = idOf(name);
+    if (std::ranges::find(kContactKeys, id) == kContactKeys.end())
+      throw Refusal{
+          fmt::format("{}: a contact has no such key; expected one of {}", id, fmt::join(kContactKeys, ", "))};
+    assign(*findParameter(bound, "body." + id), value);
   }
   if (body.soft) throw Refusal{"soft: a soft body is touched in a scene only"};
   const bool chosen = body.contact == scene::ContactChoice::automatic;

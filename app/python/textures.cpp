@@ -152,10 +152,14 @@ void addTextures(py::module_& module) {
           "run",
           [](ChainOwner& chain, const Numbers& accelerations_g) {
             const auto rows = vectors(accelerations_g, "accelerations_g");
-            for (std::size_t i = 0; i < rows.size(); ++i)
-              if (std::isinf(rows[i].x) || std::isinf(rows[i].y) || std::isinf(rows[i].z))
-                throw Refusal{
-                    fmt::format("accelerations_g: row {} is infinite; expected numbers, or NaN for a gap", i)};
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+              const Vec3& row = rows[i];
+              const bool is_gap = std::isnan(row.x) || std::isnan(row.y) || std::isnan(row.z);
+              if (!is_gap && !texture::plausible(row))
+                throw Refusal{fmt::format(
+                    "accelerations_g: row {} is ({}, {}, {}); expected {} to {}, or NaN for a gap", i, row.x, row.y,
+                    row.z, -texture::kLargestAcceleration_g, texture::kLargestAcceleration_g)};
+            }
             std::vector<double> out(rows.size());
             chain.run([&](Chain& each) {
               for (std::size_t i = 0; i < out.size(); ++i) out[i] = each.step(rows[i]);

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/texture/acceleration_sample.h"
+
 namespace fyd::calibration {
 namespace {
 
-constexpr double kLargest_g = 1000.0;
 constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
 constexpr std::array<std::string_view, 3> kMeans = {sentence("mean x"), sentence("mean y"), sentence("mean z")};
 
@@ -42,7 +43,9 @@ RestCalibration calibrateRest(const RestSamples& s, const CalibrationParameters&
       refuse(result, say("the three axes differ in length"));
       return out;
     }
-    good = checkColumn(result, fmt::format("{}_g", kAxes[axis]), s.axis_g[axis], -kLargest_g, kLargest_g) && good;
+    good = checkColumn(result, fmt::format("{}_g", kAxes[axis]), s.axis_g[axis], -texture::kLargestAcceleration_g,
+                       texture::kLargestAcceleration_g) &&
+           good;
   }
   if (!good) return out;
   if (count < static_cast<std::size_t>(p.rest_fewest_samples)) {

@@ -2,10 +2,19 @@
 // Stability: stable since 0.1
 #pragma once
 
+#include <cmath>
+
 #include "core/base/fields.h"
 #include "core/base/vec3.h"
 
 namespace fyd::texture {
+
+inline constexpr double kLargestAcceleration_g = 1000.0;  ///< on each axis, either way; more is no reading of a sensor
+/// @return false for NaN, too
+[[nodiscard]] inline bool plausible(const Vec3& a_g) {
+  const auto within = [](double axis_g) { return std::abs(axis_g) <= kLargestAcceleration_g; };
+  return within(a_g.x) && within(a_g.y) && within(a_g.z);
+}
 
 struct AccelerationSample {
   Instant taken{};

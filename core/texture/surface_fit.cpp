@@ -4,6 +4,7 @@
 
 #include "core/base/portable_math.h"
 #include "core/signal/resonator.h"
+#include "core/texture/acceleration_sample.h"
 #include "core/texture/surface_model.h"
 #include "core/texture/surface_ranges.h"
 
@@ -88,6 +89,16 @@ Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const doubl
                 C::kSlowest_mm_s, C::kFastest_mm_s);
   }
   const double rate_Hz = conditions.sample_rate_Hz;
+  if (!within(rate_Hz, C::kSlowest_Hz, C::kFastest_Hz)) {
+    return fail("rate = {} Hz: expected {} … {}", rate_Hz, C::kSlowest_Hz, C::kFastest_Hz);
+  }
+  for (const auto axis : {x_g, y_g, z_g}) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (within(axis[i], -kLargestAcceleration_g, kLargestAcceleration_g)) continue;
+      return fail("recording: sample {} is {} g: expected {} … {}", i + 1, axis[i], -kLargestAcceleration_g,
+                  kLargestAcceleration_g);
+    }
+  }
   const int segment = count >= 2048 ? 512 : static_cast<int>(kShortest);
   signal::Spectrum target;
   for (const auto axis : {x_g, y_g, z_g}) add(target, signal::welch(withoutMean(axis.first(count)), rate_Hz, segment));
@@ -104,7 +115,7 @@ Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const doubl
   const auto from = static_cast<std::size_t>(std::ceil(lowest_Hz / target.resolution_Hz));
   double total = 0.0;
   for (std::size_t i = from; i < target.density.size(); ++i) total += target.density[i];
-  if (!(total > 0.0) || !std::isfinite(total)) return fail("recording: no vibration above {} Hz in it", lowest_Hz);
+  if (!(total > 0.0)) return fail("recording: no vibration above {} Hz in it", lowest_Hz);
 
   const auto shapes = bandShapes(centres_Hz, target, rate_Hz);
   const std::vector<double> powers = fitPowers(shapes, target.density, from);

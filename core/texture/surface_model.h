@@ -49,6 +49,7 @@ struct SurfaceFit {
 
 struct FitConditions {
   static constexpr double kSlowest_mm_s = 1.0, kFastest_mm_s = 1000.0;
+  static constexpr double kSlowest_Hz = 1.0, kFastest_Hz = 1e6;
   static constexpr double kLeastForce_N = 0.01, kLargestForce_N = 20.0;
   std::string name;
   double sample_rate_Hz = 1000.0;
@@ -60,7 +61,8 @@ struct FitConditions {
 /// 0.4 of the rate. Their powers come closest to the sum of the axes' Welch spectra, less each axis' mean, in the
 /// Kullback-Leibler sense, by multiplicative updates [Lee 2001], which keep them positive. Bands under −50 dB
 /// of the strongest are left out. One recording does not tell exponents: they stay at their defaults.
-/// @return an error when the recording is shorter than 64 samples, silent, or a condition is out of range
+/// @return an error when the recording is shorter than 64 samples, silent, beyond kLargestAcceleration_g, or a condition
+/// is out of range
 [[nodiscard]] FYD_API Result<SurfaceFit> fitSurface(std::span<const double> x_g, std::span<const double> y_g,
                                                     std::span<const double> z_g, const FitConditions& conditions);
 

@@ -1,16 +1,9 @@
 #include "core/texture/uniform_stream.h"
 
-#include <cmath>
-
 namespace fyd::texture {
 namespace {
 
-constexpr double kLargest_g = 1000.0;
 constexpr Duration kFutureAllowed = std::chrono::milliseconds(1);
-
-bool plausible(const Vec3& a) {
-  return std::abs(a.x) <= kLargest_g && std::abs(a.y) <= kLargest_g && std::abs(a.z) <= kLargest_g;  // false for NaN
-}
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 //                           → the straight line between them at the middle of the period (clocks that slip)
 //   none otherwise          → a gap: the step says so and has no value; nothing is made up
 //
-// Refused and counted: values not finite or beyond ±1000 g, stamps before the newest one, stamps more than 1 ms in
+// Refused and counted: what is not plausible (acceleration_sample.h), stamps before the newest one, stamps more than 1 ms in
 // the future, samples whose period is already past, and what does not fit the queue of 256.
 // Stability: may change
 #pragma once

@@ -27,6 +27,16 @@ def test_each_is_described_as_the_program_describes_it(listed):
             assert info.default == parameters[name] and info.minimum <= info.default <= info.maximum
 
 
+def test_they_are_a_mapping():
+    parameters = fyd.Parameters({"control.kp": 2})
+    assert dict(parameters) == dict(parameters.items()) == {name: parameters[name] for name in parameters}
+    assert list(parameters.values()) == [parameters[name] for name in parameters.keys()]
+    assert parameters.get("control.kp") == 2 and parameters.get("nonsense") is None and parameters.get("nonsense", 7) == 7
+    assert "control.kp" in parameters
+    for no_name in (3, None, "nonsense", ("control.kp",), "\udcff"):
+        assert no_name not in parameters
+
+
 def test_a_value_of_each_kind_is_set_and_read():
     parameters = fyd.Parameters({"control.kp": 2, "texture.method": "soc"})
     assert parameters["control.kp"] == 2.0 and parameters["texture.method"] == "soc"

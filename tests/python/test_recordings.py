@@ -1,4 +1,5 @@
 """A recording read by the module and by h5py, which knows nothing of it: the same to the bit."""
+import math
 import os
 import struct
 import subprocess
@@ -139,6 +140,10 @@ def test_time_counts_from_the_start(classic):
 
 def test_an_overview_loses_no_spike(classic):
     touch = classic.telemetry["touch_z_mm"]
+    for wrong, named in (((0.0, 10.0, 0), "buckets: 0"), ((10.0, 0.0, 20), "from_s: 10; expected at most to_s = 0"),
+                         ((math.nan, 1.0, 20), "from_s: nan")):
+        with pytest.raises(fyd.InvalidValue, match=named):
+            classic.overview("touch_z_mm", *wrong)
     start_s, low, high = classic.overview("touch_z_mm", 0.0, 10.0, 20)
     assert 0 < len(start_s) <= 20
     assert low.min() == touch.min() and high.max() == touch.max()

@@ -140,10 +140,14 @@ def test_what_is_not_possible_is_named(box, tmp_path):
         fyd.Mesh(CORNERS_mm[:, :2], TRIANGLES)
     with pytest.raises(fyd.InvalidValue, match=r"triangles: shape \(12, 2\)"):
         fyd.Mesh(CORNERS_mm, TRIANGLES[:, :2])
-    with pytest.raises(fyd.InvalidValue, match="row 0 names vertex 8; expected 0 to 7"):
+    with pytest.raises(fyd.InvalidValue, match="row 0 names vertex 8; expected one of 0 to 7"):
         fyd.Mesh(CORNERS_mm, [[8, 1, 2]])
     with pytest.raises(fyd.InvalidValue, match="row 0 names vertex -1"):
         fyd.Mesh(CORNERS_mm, [[-1, 1, 2]])
+    for cut in ([[0, 1, 2.7]], np.array([[0, 1, 2.7]]), [[0, 1, math.nan]], [[0, 1, 1e300]]):
+        with pytest.raises(fyd.InvalidValue, match="row 0 names vertex (2.7|nan|1e.300); expected one of 0 to 7"):
+            fyd.Mesh(CORNERS_mm, cut)
+    assert fyd.Mesh(CORNERS_mm, TRIANGLES.astype(float)).volume_mm3 == fyd.Mesh(CORNERS_mm, TRIANGLES.tolist()).volume_mm3
     with pytest.raises(fyd.InvalidValue):
         fyd.Mesh(np.full((3, 3), np.nan), [[0, 1, 2]])
     for value in (math.nan, -1, 0, 1e9):
@@ -151,6 +155,11 @@ def test_what_is_not_possible_is_named(box, tmp_path):
             fyd.Contact(box, stiffness_N_per_mm=value)
     with pytest.raises(fyd.InvalidValue, match="colour"):
         fyd.Contact(box, colour="red")
+    for of_the_body in ("texture", "position_mm", "mass_kg"):  # a scene's, and nothing here would heed them
+        with pytest.raises(fyd.InvalidValue, match=f"{of_the_body}: a contact has no such key; expected one of contact, "):
+            fyd.Contact(box, **{of_the_body: "1"})
+    with pytest.raises(fyd.InvalidValue, match="soft"):
+        fyd.Contact(box, soft=True)
     with pytest.raises(fyd.InvalidValue, match="contact"):
         fyd.Contact(box, contact="telepathy")
     with pytest.raises(fyd.InvalidValue, match="automatic"):

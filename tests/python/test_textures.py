@@ -51,9 +51,10 @@ def test_a_gap_is_silence_and_no_nan():
     accelerations_g[100:150] = np.nan
     signal_g = fyd.TextureChain(fyd.Parameters({"texture.method": "soc"})).run(accelerations_g)
     assert np.isfinite(signal_g).all() and (signal_g[100:150] == 0).all()
-    with pytest.raises(fyd.InvalidValue, match="row 7"):
-        accelerations_g[7, 1] = math.inf
-        fyd.TextureChain().run(accelerations_g)
+    for beyond_g in (math.inf, -math.inf, 1e200, -1001):
+        accelerations_g[7, 1] = beyond_g
+        with pytest.raises(fyd.InvalidValue, match="row 7.*-1000 to 1000"):
+            fyd.TextureChain().run(accelerations_g)
 
 
 @pytest.mark.parametrize("wrong", [np.zeros(3), np.zeros((3, 4)), np.zeros((2, 3, 3)), 5.0])
@@ -136,6 +137,11 @@ def test_what_cannot_be_fitted_or_rendered_is_told():
         fyd.fit_surface(np.zeros((10, 3)))
     with pytest.raises(fyd.InvalidValue):
         fyd.fit_surface(np.zeros((1000, 3)))
+    with pytest.raises(fyd.InvalidValue, match="sample 5 is 1e"):
+        fyd.fit_surface(np.vstack([np.ones((4, 3)), np.full((1000, 3), 1e308)]))
+    for rate_Hz in (math.nan, math.inf, 1e300, 0):
+        with pytest.raises(fyd.InvalidValue, match="rate = "):
+            fyd.fit_surface(RANDOM.normal(size=(1000, 3)), rate_Hz)
     with pytest.raises(fyd.InvalidValue, match="row 3"):
         fyd.fit_surface(np.vstack([np.ones((3, 3)), np.full((1000, 3), np.nan)]))
     with pytest.raises(fyd.InvalidValue, match="mine.toml"):

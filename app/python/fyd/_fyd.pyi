@@ -864,7 +864,7 @@ class Parameters:
     """The step's parameters: a mapping from id ("control.kp") to value. Each is checked when it is set: InvalidValue
     names id, value and range.
     """
-    def __contains__(self, id: str) -> bool:
+    def __contains__(self, id: Any) -> bool:
         ...
     def __getitem__(self, id: str) -> Any:
         ...
@@ -883,15 +883,21 @@ class Parameters:
         """The defaults, and in their place what a TOML text of the step's parameters says; `name` begins each message.
         Units: each parameter's own.
         """
+    def get(self, id: str, default: Optional[Any] = None) -> Any:
+        """Value of a parameter; `default` when there is none of this id. Units: the parameter's own."""
     @staticmethod
     def info(id: str) -> ParameterInfo:
         """What a parameter means, and what it may be. Units: none."""
+    def items(self) -> list[tuple[str, Any]]:
+        """(Id, value) of all parameters, in that order. Units: each parameter's own."""
     def keys(self) -> list[str]:
         """Ids of all parameters, in the order of the profile. Units: none."""
     def profile(self) -> str:
         """All of them as the TOML text of a profile. Units: each in its comment."""
     def update(self, values: dict[str, Any]) -> None:
         """Sets several; none of them when one is not possible. Units: each parameter's own."""
+    def values(self) -> list[Any]:
+        """Values of all parameters, in the order of their ids. Units: each parameter's own."""
 
 class Picture:
     """A picture of the camera, and what the detector said of it."""
@@ -997,8 +1003,8 @@ class RecordingFile:
     def notes(self) -> list[Note]:
         """Notes, bookmarks, trials' markers and alarms, in their order. Units: [s], in its names."""
     def overview(self, name: str, from_s: float, to_s: float, buckets: int) -> tuple[Any, ...]:
-        """Smallest and largest of a column between from_s and to_s [s], in at most so many buckets: (start of each
-        bucket [s], smallest, largest [the column's unit]). No spike is lost.
+        """Smallest and largest of a column between from_s and to_s [s], in at most so many buckets, one or more: (start
+        of each bucket [s], smallest, largest [the column's unit]). No spike is lost.
         """
     def parameters(self) -> Parameters:
         """The step's parameters at the first row. Units: each parameter's own."""

@@ -223,8 +223,8 @@ class Recording:
         return _fyd.Pipeline.of(self._file)
 
     def overview(self, name: str, from_s: float, to_s: float, buckets: int) -> tuple[Array, Array, Array]:
-        """Smallest and largest of a column between from_s and to_s [s], in at most so many buckets: (start of each bucket
-        [s], smallest, largest [the column's unit]). No spike is lost.
+        """Smallest and largest of a column between from_s and to_s [s], in at most so many buckets, one or more: (start of
+        each bucket [s], smallest, largest [the column's unit]). No spike is lost.
         """
         start_s, low, high = self._file.overview(name, from_s, to_s, buckets)
         return start_s, low, high

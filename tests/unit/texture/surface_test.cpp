@@ -5,6 +5,7 @@
 #include <random>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/signal/welch.h"
@@ -204,8 +205,24 @@ TEST(SurfaceFit, GivesOnlyBandsThatAModelMayHave) {
   EXPECT_NEAR(power, 0.3 * 0.3, 0.5 * 0.3 * 0.3);
   EXPECT_EQ(fitted(5.0, 1000.0).error().text(),
             "recording of 5 Hz at 1000 mm/s: no band of it can stand in a surface model");
-  for (double& v : z) v *= 1e4;
+  for (std::size_t i = 0; i < z.size(); ++i) z[i] = 900.0 * std::sin(0.6 * static_cast<double>(i));
   EXPECT_NE(fitted(1000.0, 40.0).error().text().find("expected at most 20 g"), std::string::npos);
+}
+
+TEST(SurfaceFit, RefusesWhatNoSensorGives) {
+  const std::vector<double> none(100, 0.0);
+  const auto refusal = [&](std::span<const double> x_g, double rate_Hz) {
+    const auto fit = fitSurface(x_g, none, none, {.name = "refused", .sample_rate_Hz = rate_Hz});
+    return fit ? "accepted" : fit.error().text();
+  };
+  for (const double wrong_Hz : {0.0, -1.0, 0.5, 1e300, HUGE_VAL, std::nan("")}) {
+    EXPECT_EQ(refusal(none, wrong_Hz), fmt::format("rate = {} Hz: expected 1 … 1000000", wrong_Hz));
+  }
+  for (const double wrong_g : {1001.0, -1e308, HUGE_VAL, std::nan("")}) {
+    std::vector<double> x_g = none;
+    x_g[7] = wrong_g;
+    EXPECT_EQ(refusal(x_g, 1000.0), fmt::format("recording: sample 8 is {} g: expected -1000 … 1000", wrong_g));
+  }
 }
 
 TEST(FingerSpeed, ComesFromSuccessiveCentroids) {
