@@ -74,7 +74,7 @@ JournaledFile::JournaledFile(int file, Mode mode, bool with_journal, std::shared
     : file_(file), mode_(mode), calls_(calls ? std::move(calls) : std::make_shared<DiskCalls>()) {
   struct stat status {};
   if (::fstat(file_, &status) == 0) size_ = static_cast<std::uint64_t>(status.st_size);
-  committed_end_ = size_;
+  committed_end_ = written_end_ = size_;
   if (with_journal) readJournal();
 }
 
@@ -99,6 +99,11 @@ void JournaledFile::readJournal() {
     rest = rest.subspan(piece.bytes);
   }
   found_journal_ = true;
+}
+
+bool JournaledFile::shortened() const {
+  struct stat status {};
+  return ::fstat(file_, &status) == 0 && static_cast<std::uint64_t>(status.st_size) < written_end_;
 }
 
 std::uint64_t JournaledFile::sizeNow() const {
@@ -137,14 +142,21 @@ void JournaledFile::write(std::uint64_t at, std::span<const std::byte> bytes) {
   if (!before.empty()) waiting_.push_back({at, {before.begin(), before.end()}});
   const auto after = bytes.subspan(before.size());
   if (after.empty()) return;
-  error_ = calls_->write(file_, after, at + before.size());
+  error_ = writeAtOnce(at + before.size(), after);
   if (error_ != 0) waiting_.push_back({at + before.size(), {after.begin(), after.end()}});
+}
+
+int JournaledFile::writeAtOnce(std::uint64_t at, std::span<const std::byte> bytes) {
+  if (shortened()) return kShortened;  // looked at before this makes it long again, with a hole
+  const int error = calls_->write(file_, bytes, at);
+  if (error == 0) written_end_ = std::max(written_end_, at + bytes.size());
+  return error;
 }
 
 void JournaledFile::reach(std::uint64_t bytes) {
   if (mode_ == Mode::read || bytes <= size_) return;
   size_ = bytes;
-  if (!abandoned_ && error_ == 0) error_ = calls_->resize(file_, bytes);
+  if (!abandoned_ && error_ == 0) error_ = shortened() ? kShortened : calls_->resize(file_, bytes);
 }
 
 std::vector<std::byte> JournaledFile::journal() const {
@@ -172,6 +184,7 @@ int JournaledFile::commit() {
 
 int JournaledFile::persist() {
   if (abandoned_ || mode_ == Mode::read) return 0;
+  if (shortened()) return kShortened;
   if (const int error = calls_->sync(file_); error != 0) return error;
   if (waiting_.empty()) {
     committed_end_ = size_;

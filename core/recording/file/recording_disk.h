@@ -13,6 +13,7 @@
 
 #include <sys/types.h>
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -46,7 +47,9 @@ class JournaledFile {
   void write(std::uint64_t at, std::span<const std::byte> bytes);
   /// Makes the file at least so long.
   void reach(std::uint64_t bytes);
-  /// @return the errno of the first write, resize or sync that failed; nothing is committed from then on
+  /// In the place of an errno: another program has made the file shorter than it was written.
+  static constexpr int kShortened = ENODATA;
+  /// @return the errno of the first write, resize or sync that failed, or kShortened; nothing is committed from then on
   [[nodiscard]] int commit();
   /// Writes the content of an ended recorder's journal to its places in the file; the journal itself stays until the
   /// next commit has synced them. @return an errno
@@ -61,6 +64,7 @@ class JournaledFile {
   [[nodiscard]] std::uint64_t sizeNow() const;
   /// Bytes allocated on the disk. A sparse file counts at most its allocated blocks or 8 MiB, whichever is more.
   [[nodiscard]] std::uint64_t diskBytes() const;
+  [[nodiscard]] bool shortened() const;  ///< by another program
   /// An intact journal was there when it was opened; other programs do not see its content.
   [[nodiscard]] bool foundJournal() const { return found_journal_; }
 
@@ -69,6 +73,7 @@ class JournaledFile {
     std::uint64_t at = 0;
     std::vector<std::byte> bytes;
   };
+  [[nodiscard]] int writeAtOnce(std::uint64_t at, std::span<const std::byte> bytes);
   [[nodiscard]] int persist();
   [[nodiscard]] std::vector<std::byte> journal() const;
   void readJournal();
@@ -79,6 +84,7 @@ class JournaledFile {
   std::vector<Write> waiting_;  // in the order HDF5 wrote them: a reader in another process relies on it
   std::uint64_t size_ = 0;
   std::uint64_t committed_end_ = 0;
+  std::uint64_t written_end_ = 0;  // the file on the disk is at least so long
   std::uint64_t sequence_ = 0;
   bool found_journal_ = false;
   bool abandoned_ = false;

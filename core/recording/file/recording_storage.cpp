@@ -1,6 +1,7 @@
 #include "core/recording/file/recording_storage.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -28,6 +29,7 @@ int opened(const std::string& path, int flags) {
 
 void expectDone(int error) {
   if (error == EOVERFLOW) failHard("the disk: one commit changes more than the journal holds");
+  if (error == JournaledFile::kShortened) failHard("another program has made the file shorter while it was written");
   if (error != 0) failHard("the disk: {}", words(error));
 }
 
@@ -67,6 +69,14 @@ RecordingStorage::~RecordingStorage() {
 void RecordingStorage::take(hid_t opened_file) {
   if (opened_file < 0) disk_->abandon();  // what HDF5 kept of it must not be written when the process ends
   file_ = Handle(opened_file, H5Fclose, "the file");
+}
+
+bool RecordingStorage::isStill(const std::string& path) const {
+  struct stat ours {
+  }, named{};
+  (void)::fstat(descriptor_.number(), &ours);
+  if (::stat(path.c_str(), &named) != 0) return errno != ENOENT;  // a disk that does not answer is no program's doing
+  return named.st_ino == ours.st_ino && !disk_->shortened();
 }
 
 void RecordingStorage::startSwmr() { check(H5Fstart_swmr_write(file_.id()), "shared reading"); }

@@ -55,6 +55,8 @@ class RecordingStorage {
     dropJournal();
   }
   [[nodiscard]] std::uint64_t bytes() const { return disk_->size(); }
+  /// false: no file or another one has this name, or it was made shorter than it was written.
+  [[nodiscard]] bool isStill(const std::string& path) const;
 
  private:
   void take(hid_t opened_file);

@@ -48,6 +48,7 @@ class LiveRecording {
   /// Fills in the figures of this recording; state and problem are set by the recorder.
   void fillIn(RecorderStatus& status) const;
   [[nodiscard]] double committed_s() const;
+  [[nodiscard]] bool safe() const { return writer_->safe(); }
 
  private:
   LiveRecording(std::string path, RecordingHeader header, const RecorderOptions& options, Sources sources,

@@ -289,8 +289,11 @@ void Recorder::Impl::failed(const Message& problem) {
   live->fillIn(now_recording);
   now_recording.state = RecorderState::failed;
   now_recording.problem =
-      say("{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover", problem,
-          live->committed_s(), now_recording.path);
+      live->safe()
+          ? say("{}. What was written up to {:.1f} s is safe in {}.partial; make it whole with: fyd session recover",
+                problem, live->committed_s(), now_recording.path)
+          : say("{}. Nothing is promised of {}.partial: another program has removed, replaced or shortened it", problem,
+                now_recording.path);
   spdlog::error("Recording: {}", now_recording.problem.text());
   live.reset();
 }

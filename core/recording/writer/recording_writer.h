@@ -44,6 +44,8 @@ class RecordingWriter {
 
   [[nodiscard]] virtual std::uint64_t committedSteps() const = 0;
   [[nodiscard]] virtual std::uint64_t bytes() const = 0;  ///< on disk
+  /// Before `close`: FILE.partial is there still and as long as it was written; another program may do anything to it.
+  [[nodiscard]] virtual bool safe() const = 0;
 };
 
 /// RecordingWriter::create with other disk calls: for tests that simulate disk errors.

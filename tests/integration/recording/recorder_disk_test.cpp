@@ -1,5 +1,7 @@
 // The disk fails during a recording: the error is reported, committed data stay readable, the session continues.
 #include <cerrno>
+#include <filesystem>
+#include <fstream>
 
 #include "core/recording/recovery/recover.h"
 #include "tests/integration/recording/recorder_replay_fixture.h"
@@ -74,6 +76,39 @@ TEST_F(RecorderOnATroubledDisk, ThatBecomesFullKeepsWhatWasAcknowledged) {
 TEST_F(RecorderOnATroubledDisk, ThatIsPulledOutKeepsWhatWasAcknowledged) {
   troubled->trouble = EIO;
   expectHonest("Input/output error");
+}
+
+/// Another program does something to the file: it ends failed, and nothing is called whole or safe.
+class RecorderWhoseFileIsTouched : public RecorderOnATroubledDisk {
+ protected:
+  void expectNothingPromised(const std::string& why) {
+    for (int i = 0; i < 20 && recorder->status().state == RecorderState::recording; ++i) run(0.1);
+    EXPECT_FALSE(recorder->end());
+    const RecorderStatus status = recorder->status();
+    EXPECT_EQ(status.state, RecorderState::failed);
+    EXPECT_THAT(status.problem.text(), HasSubstr(why));
+    EXPECT_THAT(status.problem.text(), HasSubstr("Nothing is promised of " + file("a.h5") + ".partial"));
+    EXPECT_THAT(status.problem.text(), testing::Not(HasSubstr("is safe in")));
+    EXPECT_FALSE(std::filesystem::exists(file("a.h5")));
+  }
+  std::string partial() const { return file("a.h5.partial"); }
+};
+
+TEST_F(RecorderWhoseFileIsTouched, Shortened) {
+  std::filesystem::resize_file(partial(), 1000);
+  expectNothingPromised("another program has made the file shorter");
+}
+
+TEST_F(RecorderWhoseFileIsTouched, Removed) {
+  std::filesystem::remove(partial());
+  expectNothingPromised("it is not the file any more that was written");
+}
+
+TEST_F(RecorderWhoseFileIsTouched, Replaced) {
+  std::filesystem::rename(partial(), file("mine"));
+  std::ofstream(partial()) << "another's";
+  expectNothingPromised("it is not the file any more that was written");
+  EXPECT_EQ(std::filesystem::file_size(partial()), 9U);
 }
 
 }  // namespace

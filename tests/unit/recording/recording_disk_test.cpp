@@ -7,7 +7,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -426,6 +429,31 @@ TEST_F(Journaled, AnAbandonedFileOrAReadersIsNeverWritten) {
   EXPECT_EQ(reader.commit(), EROFS);
   EXPECT_EQ(disk->calls.size(), before);
   EXPECT_EQ(textAt(reader, 0, 4), "abcd");
+}
+
+TEST_F(Journaled, AFileThatAnotherProgramShortenedIsNeverCalledCommitted) {
+  // What is done to a file of four bytes, of which another program has left two.
+  const std::vector<std::function<void(JournaledFile&)>> next = {
+      [](JournaledFile& /*journaled*/) {},
+      [](JournaledFile& journaled) { write(journaled, 0, "X"); },       // to wait for the journal, at its start
+      [](JournaledFile& journaled) { write(journaled, 4, "efgh"); },    // beyond the end: it would be long again
+      [](JournaledFile& journaled) { journaled.reach(kFirst + 100); },  // the same
+  };
+  for (const auto& each : next) {
+    ASSERT_EQ(::ftruncate(file, 0), 0);
+    JournaledFile journaled = fresh();
+    write(journaled, 0, "abcd");
+    ASSERT_EQ(journaled.commit(), 0);
+    EXPECT_FALSE(journaled.shortened());
+    ASSERT_EQ(::ftruncate(file, kFirst + 2), 0);
+    EXPECT_TRUE(journaled.shortened());
+    each(journaled);
+    EXPECT_EQ(journaled.commit(), JournaledFile::kShortened);
+    EXPECT_EQ(journaled.dropJournal(), JournaledFile::kShortened);
+    EXPECT_EQ(std::filesystem::file_size(path), kFirst + 2) << "nothing covers the hole";
+  }
+  EXPECT_FALSE(JournaledFile(-1, JournaledFile::Mode::write, false).shortened())
+      << "of what has no length nothing is said";
 }
 
 TEST_F(Journaled, BytesBeyondTheEndAreZero) {
