@@ -40,6 +40,14 @@ Result<Endpoint> parseEndpoint(std::string_view text) {
     return fail("address \"{}\": \"{}\" is not an {} address (names other than localhost are not looked up)", text,
                 host, bracketed ? "IPv6" : "IPv4");
   }
+  if (const std::size_t percent = host.find('%'); percent != std::string_view::npos) {
+    if (!address.to_v6().is_link_local()) {
+      return fail("address \"{}\": only a link-local address (fe80::…) has an interface after %", text);
+    }
+    if (address.to_v6().scope_id() == 0) {
+      return fail("address \"{}\": there is no network interface \"{}\"", text, host.substr(percent + 1));
+    }
+  }
   Endpoint endpoint;
   endpoint.port = *port;
   endpoint.v6 = address.is_v6();

@@ -70,6 +70,27 @@ class OurServer(fyd.Case):
             _, said = mbpoll(*how, "-t", "4", "-r", 200, "-c", 2, where)
             self.assertIn("Illegal data address", said)
 
+    def test_functions_that_it_does_not_know_leave_the_next_request_whole(self):
+        simulator = Simulator(self)
+        good, fydt = "0002 0000 0006 01 03 0000 0002", "0002 0000 0007 01 03 04 46594454"
+        for first, answer in (("0001 0000 0005 01 2B 0E0100", "0001 0000 0003 01 AB 01"),  # the device's identity
+                              ("0001 0000 0004 01 41 0102", "0001 0000 0003 01 C1 01"),
+                              ("0001 0000 0006 01 83 0000 0002", "")):  # an exception's answer is no request
+            with socket.create_connection(("127.0.0.1", simulator.port), fyd.PATIENCE) as line:
+                line.sendall(bytes.fromhex(first + good))
+                expected = bytes.fromhex(answer + fydt)
+                got = b""
+                while len(got) < len(expected) and (more := line.recv(100)):
+                    got += more
+                self.assertEqual(got, expected, first)
+
+    def test_a_request_of_another_length_than_it_says_ends_the_connection(self):
+        simulator = Simulator(self)
+        for length in ("0000", "0005", "0007", "FFFF"):
+            with socket.create_connection(("127.0.0.1", simulator.port), fyd.PATIENCE) as line:
+                line.sendall(bytes.fromhex("0001 0000" + length + "01 03 0000 0002"))
+                self.assertEqual(line.recv(100), b"", length)
+
     def test_pymodbus_gets_what_the_map_says_and_the_right_exceptions(self):
         simulator = Simulator(self)
         done = subprocess.run([peer_python(), PEER, "client", "127.0.0.1", str(simulator.port)], capture_output=True, text=True, timeout=fyd.PATIENCE, check=False)

@@ -62,6 +62,9 @@ Message failureText(int problem, Duration timeout) {
     case EMBBADCRC: return say("an answer with a wrong checksum; is the speed right and the line terminated?");
     case EMBBADDATA: return say("an answer that does not fit the question");
     case EMBBADSLAVE: return say("an answer of another unit");
+    case MODBUS_ENOBASE:
+    case MODBUS_ENOBASE + MODBUS_EXCEPTION_NOT_DEFINED:
+    case EMBBADEXC: return say("an exception with a number that Modbus does not have");
     default: return verbatim(modbus_strerror(problem));
   }
 }

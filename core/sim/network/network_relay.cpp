@@ -21,6 +21,9 @@ Result<std::unique_ptr<NetworkRelay>> NetworkRelay::open(const NetworkRelayOptio
   }
   auto listen = protocol::UdpSocket::open(options.listen);
   if (!listen) return tl::unexpected(listen.error());
+  if (options.forward == options.listen) {
+    return fail("relay: {} stands on both sides; expected two addresses", protocol::toString(options.listen));
+  }
   return std::unique_ptr<NetworkRelay>(new NetworkRelay(options, std::move(*listen)));
 }
 

@@ -6,6 +6,7 @@
 #include <list>
 
 #include <modbus/modbus.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <asio/io_context.hpp>
@@ -23,6 +24,7 @@ constexpr std::uint8_t kReadHolding = 0x03;
 constexpr std::uint8_t kWriteSingle = 0x06;
 constexpr std::uint8_t kWriteMultiple = 0x10;
 constexpr std::uint8_t kWriteAndRead = 0x17;
+constexpr std::uint8_t kFirstException = 0x80;
 
 std::atomic<int> next_master{1};
 
@@ -66,6 +68,7 @@ bool ModbusResponder::serve() {
   std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> request{};
   const int length = modbus_receive(context_, request.data());
   if (length > 0) {
+    if (tcp_ && !readRest(request.data(), length)) return false;
     // libmodbus passes over another unit's request on a serial line only.
     if (tcp_ && !isOurs(request[kTcpUnitAt])) return true;
     answer(request.data(), length);
@@ -74,6 +77,22 @@ bool ModbusResponder::serve() {
   if (length == 0) return true;  // for another unit
   if (tcp_) return false;        // a TCP stream that lost its framing cannot go on
   modbus_flush(context_);
+  return true;
+}
+
+/// Of a function that libmodbus does not know it reads no data: they would be taken for the next request.
+bool ModbusResponder::readRest(const std::uint8_t* request, int length) {
+  std::array<std::uint8_t, MODBUS_TCP_MAX_ADU_LENGTH> rest{};
+  // The length counts from the unit on and stands before it.
+  int left = int{kTcpUnitAt} + word(request + kTcpUnitAt - 2) - length;
+  if (left < 0 || left > static_cast<int>(rest.size())) return false;
+  while (left > 0) {
+    pollfd line{.fd = modbus_get_socket(context_), .events = POLLIN, .revents = 0};
+    if (::poll(&line, 1, static_cast<int>(toMilliseconds(kRestOfRequest))) <= 0) return false;
+    const ssize_t got = ::recv(line.fd, rest.data(), static_cast<std::size_t>(left), MSG_DONTWAIT);
+    if (got <= 0) return false;
+    left -= static_cast<int>(got);
+  }
   return true;
 }
 
@@ -129,6 +148,8 @@ void ModbusResponder::answer(const std::uint8_t* request, int length) {
   if (!electronics_->powered(now) || faults.active(TouchpadFault::silence, now)) return;
   const int head = modbus_get_header_length(context_);
   const int tail = tcp_ ? 0 : 2;  // checksum
+  // The number of an exception's answer is no request's; libmodbus would answer it with that of a good answer.
+  if (request[head] >= kFirstException) return;
   const ModbusException exception = obey(request + head, length - head - tail, now);
   if (electronics_->answersLate(now)) std::this_thread::sleep_for(kLateBy);
   if (faults.active(TouchpadFault::garbage, now)) {

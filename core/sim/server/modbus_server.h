@@ -36,6 +36,8 @@ class ModbusResponder {
  private:
   void answer(const std::uint8_t* request, int length);
   [[nodiscard]] ModbusException obey(const std::uint8_t* pdu, int length, Instant now);
+  /// Over TCP. @return false: it does not come, or the length that the request says is none
+  [[nodiscard]] bool readRest(const std::uint8_t* request, int length);
   void sendGarbage();
 
   std::shared_ptr<TouchpadElectronics> electronics_;

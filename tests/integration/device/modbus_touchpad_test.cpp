@@ -187,6 +187,17 @@ TEST(ModbusTouchpad, EveryExceptionIsNamedAndTheNextCycleGoesOn) {
   }
 }
 
+TEST(ModbusTouchpad, AnExceptionThatModbusDoesNotHaveIsSaidToBeThat) {
+  for (const int code : {9, 12, 99, 255}) {
+    ScriptedModbusDevice device([code](ScriptedModbusDevice&, int n) { return n == 2 ? code : 0; });
+    Client ask(device);
+    ASSERT_TRUE(ask());
+    const auto refused = ask();
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(), HasSubstr("a number that Modbus does not have")) << code;
+  }
+}
+
 TEST(ModbusTouchpad, ATornBlockIsReadAgain) {
   ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
     d.sequence_end_ahead = n == 2 || n == 3 ? 1 : 0;

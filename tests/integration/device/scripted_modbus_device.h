@@ -96,11 +96,26 @@ class ScriptedModbusDevice {
     if (outcome == kClose) return false;
     if (outcome == kSilence) return true;
     if (outcome == kTrickle) return trickle(request);
+    if (outcome >= MODBUS_EXCEPTION_MAX) return undefinedException(request, outcome);
     if (outcome > 0)
       modbus_reply_exception(context_, request, static_cast<unsigned int>(outcome));
     else
       modbus_reply(context_, request, length, mapping_);
     return true;
+  }
+
+  /// libmodbus sends none that Modbus does not have.
+  bool undefinedException(const std::uint8_t* request, int code) {
+    const std::array<std::uint8_t, 9> out{request[0],
+                                          request[1],
+                                          0,
+                                          0,
+                                          0,
+                                          3,
+                                          request[6],
+                                          static_cast<std::uint8_t>(request[7] | 0x80U),
+                                          static_cast<std::uint8_t>(code)};
+    return ::send(modbus_get_socket(context_), out.data(), out.size(), MSG_NOSIGNAL) == 9;
   }
 
   bool trickle(const std::uint8_t* request) {

@@ -1,6 +1,8 @@
 // UDP sockets on the loopback interface.
 #include <optional>
 
+#include <net/if.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,6 +30,8 @@ TEST(Endpoint, ReadsAndWritesBothFamilies) {
     EXPECT_EQ(toString(parseEndpoint(address).value()), address);
   }
   EXPECT_EQ(toString(parseEndpoint("localhost:3490").value()), "127.0.0.1:3490");
+  EXPECT_EQ(parseEndpoint("[fe80::1%lo]:1").value().scope, ::if_nametoindex("lo"));
+  EXPECT_EQ(toString(parseEndpoint("[fe80::1%lo]:1").value()), "[fe80::1%lo]:1");
   EXPECT_NE(parseEndpoint("127.0.0.1:1").value(), parseEndpoint("127.0.0.1:2").value());
   EXPECT_NE(parseEndpoint("127.0.0.1:1").value(), parseEndpoint("127.0.0.2:1").value());
 }
@@ -43,6 +47,9 @@ TEST(Endpoint, SaysWhichPartIsWrong) {
   EXPECT_THAT(message("robot.example:1"), ::testing::HasSubstr("not looked up"));
   EXPECT_THAT(message("::1:3490"), ::testing::HasSubstr("brackets"));
   EXPECT_THAT(message("[127.0.0.1]:1"), ::testing::HasSubstr("not an IPv6 address"));
+  EXPECT_THAT(message("[fe80::1%nosuch]:1"), ::testing::HasSubstr("no network interface \"nosuch\""));
+  EXPECT_THAT(message("[fe80::1%]:1"), ::testing::HasSubstr("no network interface \"\""));
+  EXPECT_THAT(message("[::1%lo]:1"), ::testing::HasSubstr("only a link-local address"));
   EXPECT_THAT(message(""), ::testing::HasSubstr("HOST:PORT"));
   EXPECT_THAT(message(":1"), ::testing::HasSubstr("not an IPv4 address"));
 }

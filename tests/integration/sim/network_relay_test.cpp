@@ -179,6 +179,8 @@ TEST_F(RelayTest, WrongOptionsAreRefusedWithTheirValue) {
   const auto free = protocol::parseEndpoint("127.0.0.1:0").value();
   EXPECT_THAT(message({.listen = free, .forward = free}), ::testing::HasSubstr("no port"));
   EXPECT_THAT(message({.listen = called.local(), .forward = called.local()}), ::testing::HasSubstr("another program"));
+  const auto left = socketAt("127.0.0.1:0").local();  // a port that was free just now
+  EXPECT_THAT(message({.listen = left, .forward = left}), ::testing::HasSubstr("stands on both sides"));
   NetworkRelayOptions wild{.listen = free, .forward = called.local()};
   wild.path.backward.loss_percent = 200;
   EXPECT_THAT(message(wild), ::testing::HasSubstr("loss 200 %"));
