@@ -6,6 +6,8 @@
 
 #include <array>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -127,6 +129,20 @@ TEST(JournaledReader, HasNothingToCommit) {
   EXPECT_EQ(reader.commit(), 0);
   EXPECT_TRUE(disk->calls.empty());
   ::close(descriptor);
+}
+
+TEST(RecordingStorageName, IsStillTheFilesUntilAnotherProgramShowsOtherwise) {
+  const Folder folder;
+  const auto lock = hdf5Lock();
+  const RecordingStorage storage(folder.file(), std::make_shared<DiskCalls>());
+  EXPECT_TRUE(storage.isStill(folder.file()));
+  EXPECT_FALSE(storage.isStill(folder.file("none")));
+  std::ofstream(folder.file("another")) << "another's";
+  EXPECT_FALSE(storage.isStill(folder.file("another")));
+  std::filesystem::create_symlink("endless", folder.file("endless"));
+  EXPECT_TRUE(storage.isStill(folder.file("endless"))) << "the system does not answer: it shows nothing";
+  std::filesystem::resize_file(folder.file(), 100);
+  EXPECT_FALSE(storage.isStill(folder.file()));
 }
 
 TEST(RecordingStorageCommit, LargerThanItsJournalIsAnErrorAndChangesNothing) {
