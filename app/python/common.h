@@ -48,6 +48,10 @@ T valid(Result<T> result) {
   if (path.find('\0') != std::string::npos) throw py::value_error("embedded null byte");
   return path;
 }
+/// A str, bytes or os.PathLike. @throws py::value_error as above, TypeError as Python's own open
+[[nodiscard]] inline std::string pathOf(const py::object& path) {
+  return pathOf(py::bytes(py::module_::import("os").attr("fsencode")(path)).cast<std::string>());
+}
 
 /// While it lives, the interpreter's lock is released, so other Python threads go on. A thread that wants the lock back
 /// when the interpreter has ended meanwhile waits for the process's end, as from Python 3.14 on: earlier ones end the

@@ -187,6 +187,13 @@ void addParameters(py::module_& module) {
           },
           py::arg("id"))
       .def("__len__", [](const ParameterSet& set) { return set.bound().size(); })
+      .def(
+          "__eq__",
+          [](const ParameterSet& set, const py::object& other) -> py::object {
+            if (!py::isinstance<ParameterSet>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+            return py::bool_(formatProfile(set.bound()) == formatProfile(other.cast<const ParameterSet&>().bound()));
+          },
+          py::arg("other"))
       .def("__iter__", [](const py::object& set) { return py::iter(set.attr("keys")()); })
       .def(
           "keys",

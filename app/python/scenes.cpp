@@ -129,10 +129,11 @@ void addMeshes(py::module_& module) {
            "Mends what can be mended.")
       .def_static(
           "open",
-          [](const std::string& path, const std::string& unit) {
+          [](const py::object& path, const std::string& unit) {
             const auto length = unitNamed(unit);
+            const std::string file = pathOf(path);
             const OthersGoOn others_go_on;
-            return std::make_shared<Searched>(done(sim::openMesh(pathOf(path), length)));
+            return std::make_shared<Searched>(done(sim::openMesh(file, length)));
           },
           py::arg("path"), py::arg("unit") = "mm", "An OBJ, STL or PLY file; `unit` of its lengths: mm, cm, m or in.")
       .def_property_readonly(
@@ -222,10 +223,11 @@ void addScenes(py::module_& module) {
   py::class_<FeltScene>(module, "Scene", "A haptic scene as a finger feels it, step by step.")
       .def_static(
           "open",
-          [](const std::string& path, double rate_Hz) {
+          [](const py::object& path, double rate_Hz) {
             const double rate = checkedRate(rate_Hz);
+            const std::string file = pathOf(path);
             const OthersGoOn others_go_on;
-            return std::make_unique<FeltScene>(done(sim::openFeltScene(pathOf(path), rate)));
+            return std::make_unique<FeltScene>(done(sim::openFeltScene(file, rate)));
           },
           py::arg("path"), py::arg("rate_Hz") = 1000.0,
           "A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz]; in a Pipeline that is its "

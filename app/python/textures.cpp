@@ -190,7 +190,8 @@ void addTextures(py::module_& module) {
       py::arg("corner_Hz"), py::arg("rate_Hz") = 1000.0,
       fmt::format(
           "Coefficients (b, a) of the default filter, a Butterworth high-pass of second order with its corner at "
-          "corner_Hz [Hz], at rate_Hz [Hz]: at most {} of it.",
+          "corner_Hz [Hz], as texture.corner_Hz may be and at most {} of rate_Hz [Hz], as texture.sample_rate_Hz may "
+          "be.",
           signal::kHighestCorner)
           .c_str());
   module.def(
@@ -208,7 +209,9 @@ void addTextures(py::module_& module) {
         return py::make_tuple(arrayOf(std::move(at_Hz)), arrayOf(std::move(spectrum.density)));
       },
       py::arg("signal"), py::arg("rate_Hz") = 1000.0, py::arg("segment") = 512,
-      "(Frequencies [Hz], one-sided density [unit²/Hz]) by Welch's method: Hann, half overlapped, no detrending.");
+      "(Frequencies [Hz], one-sided density [unit²/Hz]) by Welch's method: Hann, half overlapped, no detrending. "
+      "rate_Hz "
+      "[Hz] as texture.sample_rate_Hz may be.");
   module.def(
       "spectral_match",
       [](const Numbers& accelerations_g, const Numbers& signal_g, int delay_samples, double rate_Hz) {

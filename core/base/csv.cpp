@@ -129,7 +129,7 @@ Result<CsvTable> parseCsv(std::string_view text, std::string_view source_name, c
 }
 
 Result<void> checkLength(double length_s, double most_s) {
-  if (length_s > most_s) {
+  if (!(length_s <= most_s)) {
     return fail("{} s from the first row to the last; expected at most {}: are the times in seconds?", length_s,
                 most_s);
   }

@@ -70,7 +70,7 @@ struct Parameter {
   /// Whether it is one number: neither a list nor a text, which have no value() and never change live.
   [[nodiscard]] bool isNumber() const { return kind != ParameterKind::list && kind != ParameterKind::text; }
   [[nodiscard]] double value() const { return read(field); }
-  /// Stores without a check; callers check with `checkParameter` first.
+  /// Of a number: stores without a check; callers check with `checkParameter` first.
   void set(double value) const { store(field, value); }
   [[nodiscard]] ParameterList& list() const { return *static_cast<ParameterList*>(field); }
   [[nodiscard]] std::string& text() const { return *static_cast<std::string*>(field); }
@@ -112,7 +112,8 @@ template <class Parameters>
   return out;
 }
 
-/// Whether `value` may be stored: finite, in range, whole where it must be. Allocates nothing.
+/// Whether `value` may be stored, of a list as one of its values: finite, in range, whole where it must be. A text takes
+/// none. Allocates nothing.
 [[nodiscard]] FYD_API bool mayTake(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
 /// The same; the message names id, value and range.
 [[nodiscard]] FYD_API Result<double> checkParameter(const Parameter& parameter, double value,

@@ -46,6 +46,7 @@ namespace fyd::pipeline {
 
 class FYD_API Pipeline {
  public:
+  /// @param parameters each within its range, as those are that were read or set through checkParameter
   explicit Pipeline(const Parameters& parameters, const LocalModel& local = {});
   ~Pipeline();
   Pipeline(const Pipeline&) = delete;

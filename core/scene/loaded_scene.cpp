@@ -11,9 +11,15 @@ bool needsWalkableMesh(const SceneDescription& description, const BodyDescriptio
 }
 
 Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene) {
+  const std::size_t bodies = scene.description.bodies.size();
+  if (scene.meshes.size() != bodies || scene.textures.size() != bodies) {
+    return fail("scene: {} meshes and {} textures; expected {} of each, as there are bodies", scene.meshes.size(),
+                scene.textures.size(), bodies);
+  }
   std::vector<BodyChoice> out;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+  for (std::size_t i = 0; i < bodies; ++i) {
     const BodyDescription& body = scene.description.bodies[i];
+    if (scene.meshes[i] == nullptr) return fail("{}: no mesh; expected one", body.name);
     const std::optional<double> accuracy = scene.description.accuracy;
     const TriangleTree& tree = scene.meshes[i]->tree;
     BodyChoice& to = out.emplace_back();

@@ -32,7 +32,8 @@ struct BodyChoice {
   std::optional<ContactChoiceReport> contact;  ///< of a rigid body, where it was chosen
   std::optional<SoftChoiceReport> soft;        ///< of a soft body, likewise
 };
-/// @return an error that names the body and what of its material is out of range
+/// @return an error that names the body and what of its material is out of range; or that a body has no mesh, or the
+/// scene not as many meshes and textures as bodies
 [[nodiscard]] FYD_API Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene);
 
 [[nodiscard]] FYD_API Result<Scene> buildScene(const LoadedScene& scene, const std::vector<BodyModel>& models);

@@ -56,6 +56,7 @@ Contact Scene::Body::touch(const Vec3& probe_mm, const Vec3& velocity_mm_per_s, 
 
 Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<const SearchedMesh> with,
                                   const BodyModel& model) {
+  if (with == nullptr) return fail("{}: no mesh; expected one", from.name);
   const MeshReport& r = with->mesh.report();
   const Vec3 middle_mm = 0.5 * (r.lowest_mm + r.highest_mm);
   const double half_diagonal_mm = 0.5 * length(r.highest_mm - r.lowest_mm);
@@ -81,6 +82,11 @@ Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<c
 
 Result<Scene> Scene::build(const SceneDescription& description, std::vector<std::shared_ptr<const SearchedMesh>> meshes,
                            const std::vector<BodyModel>& models) {
+  const std::size_t bodies = description.bodies.size();
+  if (meshes.size() != bodies || models.size() != bodies) {
+    return fail("scene: {} meshes and {} models; expected {} of each, as there are bodies", meshes.size(),
+                models.size(), bodies);
+  }
   Scene out;
   out.gestures_ = SceneGestures(description);
   out.bodies_.reserve(description.bodies.size());

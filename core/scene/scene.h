@@ -73,7 +73,7 @@ struct BodyModel {
 class FYD_API Scene {
  public:
   /// @param meshes, models one for each body of the description; the mesh of a rigid one walks
-  /// @return an error that names the body and what of its material is out of range
+  /// @return an error that names the body and what of its material is out of range, or that one has no mesh or model
   [[nodiscard]] static Result<Scene> build(const SceneDescription& description,
                                            std::vector<std::shared_ptr<const SearchedMesh>> meshes,
                                            const std::vector<BodyModel>& models);

@@ -97,6 +97,7 @@ DeadbandReceiver::Answer DeadbandReceiver::at(double time_s) const {
 
 std::optional<double> DeadbandReceiver::place(double time_s, std::size_t channel,
                                               const DeadbandChannel& as_sent) const {
+  if (channel >= kMostDeadbandChannels) return std::nullopt;
   const DeadbandSample* last = before(time_s);
   const DeadbandSample* next = last != nullptr ? after(*last) : nullptr;
   if (next == nullptr || !(next->date_s > last->date_s)) return std::nullopt;

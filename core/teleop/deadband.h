@@ -15,6 +15,7 @@
 // Stability: may change
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -58,10 +59,12 @@ class FYD_API DeadbandSender {
   static constexpr double kFirstRepeat_s = 0.020, kRefresh_s = 0.100;
 
   /// @param channels the values of unused ones are 0
-  /// @param history samples in a packet, 1 … kMostDeadbandHistory
+  /// @param history samples in a packet, 1 … kMostDeadbandHistory; what is beyond counts as the nearest
   explicit DeadbandSender(const DeadbandChannels& channels, double refresh_s = kRefresh_s,
                           std::size_t history = kMostDeadbandHistory)
-      : channels_(channels), refresh_s_(refresh_s), history_(history) {}
+      : channels_(channels),
+        refresh_s_(refresh_s),
+        history_(std::clamp<std::size_t>(history, 1, kMostDeadbandHistory)) {}
 
   /// Whenever a packet might be sent, in the order of time. A value that is not finite counts as the last one, a slope
   /// as 0. @param must something else has changed that is to be sent at once
@@ -95,7 +98,7 @@ class FYD_API DeadbandReceiver {
   [[nodiscard]] Answer at(double time_s) const;
   /// A position between two samples: the cubic curve with both their values and slopes, limited to the band around the
   /// value of `at`; its error is at most twice the band, and mostly far less.
-  /// @return nothing where it is not known
+  /// @return nothing where it is not known, or there is no such channel
   [[nodiscard]] std::optional<double> place(double time_s, std::size_t channel, const DeadbandChannel& as_sent) const;
 
  private:

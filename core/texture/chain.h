@@ -9,6 +9,7 @@
 
 namespace fyd::texture {
 
+/// `select` comes first: without a method nothing else may be called.
 class FYD_API Chain {
  public:
   /// Starts in silence with this filter and method, which must outlive the chain; allocation-free.

@@ -82,7 +82,7 @@ class FYD_API MethodBank {
 /// Makes any method with any frame, for programs and tests; the renderer makes its own set.
 /// @param frame  of dft321 and dft321_thesis: 2…4096 samples
 /// @param hop    of dft321: the frame (blocks) or a smaller divisor of it (overlapped)
-/// @return an error that says what of frame and hop was refused
+/// @return an error that says what of frame and hop was refused, or that the rate is none
 [[nodiscard]] FYD_API Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame,
                                                                  int hop);
 

@@ -83,7 +83,7 @@ Result<Recording> parseRecording(std::string_view text, std::string_view source_
   const bool timed = table->values.size() == 4;
   if (timed) {
     if (auto checked = checkTimes(*table, source_name); !checked) return tl::unexpected(checked.error());
-  } else if (!(rate_Hz > 0.0)) {
+  } else if (!(rate_Hz > 0.0 && std::isfinite(rate_Hz))) {
     return fail("{}: without a column t_s the sample rate must be given", source_name);
   }
   Recording out;

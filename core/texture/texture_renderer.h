@@ -45,7 +45,8 @@ struct TextureOutput {
 
 class FYD_API TextureRenderer {
  public:
-  /// Makes every method at every frame; from here on nothing allocates.
+  /// Makes every method at every frame; from here on nothing allocates. @param parameters each within its range, as
+  /// checkParameter says
   explicit TextureRenderer(const TextureParameters& parameters);
   ~TextureRenderer();
   TextureRenderer(TextureRenderer&&) noexcept;

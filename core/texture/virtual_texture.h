@@ -26,6 +26,7 @@ inline constexpr double kQuietBelow_mm_s = 5.0;
 /// Allocation-free after construction; deterministic from its seed.
 class FYD_API VirtualTexture {
  public:
+  /// @param model as parseSurface gives it @param sample_rate_Hz of the steps, more than 0
   VirtualTexture(const SurfaceModel& model, double sample_rate_Hz, std::uint64_t seed = 1);
 
   /// The largest speed and force there are: more counts as these.

@@ -63,6 +63,7 @@ function(fyd_library objects)
   # Relative to itself, so that it also holds below a prefix that is given at installation.
   file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
   string(REGEX REPLACE "/$" "" FYD_PC_UP "${up}")
+  list(JOIN OpenCV_INCLUDE_DIRS " -isystem " FYD_PC_OPENCV)
   configure_file("${PROJECT_SOURCE_DIR}/installer/library/fyd.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/fyd.pc" @ONLY)
   install(FILES "${CMAKE_CURRENT_BINARY_DIR}/fyd.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
     COMPONENT development)

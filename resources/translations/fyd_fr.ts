@@ -7674,6 +7674,10 @@ Pour commencer : %1</translation>
         <translation>part du rayon %1 ± %2</translation>
     </message>
     <message>
+        <source>rate = {} Hz: expected more than 0</source>
+        <translation>fréquence = {} Hz : attendu plus de 0</translation>
+    </message>
+    <message>
         <source>rate = {} Hz: expected {} … {}</source>
         <translation>fréquence = {} Hz : attendu {} … {}</translation>
     </message>
@@ -7900,6 +7904,22 @@ Pour commencer : %1</translation>
     <message>
         <source>scene {}</source>
         <translation>scène {}</translation>
+    </message>
+    <message>
+        <source>scene: none is given</source>
+        <translation>scène : aucune n'est donnée</translation>
+    </message>
+    <message>
+        <source>scene: {} meshes and {} models; expected {} of each, as there are bodies</source>
+        <translation>scène : {} maillages et {} modèles ; attendu {} de chaque, autant que de corps</translation>
+    </message>
+    <message>
+        <source>scene: {} meshes and {} textures; expected {} of each, as there are bodies</source>
+        <translation>scène : {} maillages et {} textures ; attendu {} de chaque, autant que de corps</translation>
+    </message>
+    <message>
+        <source>scene: {} textures; expected {}, as there are bodies</source>
+        <translation>scène : {} textures ; attendu {}, autant que de corps</translation>
     </message>
     <message>
         <source>search text: {}</source>
@@ -9644,6 +9664,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: no mesh by its name; expected .obj, .stl or .ply</source>
         <translation>{} : d'après son nom, pas un maillage ; attendu .obj, .stl ou .ply</translation>
+    </message>
+    <message>
+        <source>{}: no mesh; expected one</source>
+        <translation>{} : aucun maillage ; attendu un</translation>
     </message>
     <message>
         <source>{}: no permission. Add yourself to its group with "sudo usermod -aG {} $USER" and log in again</source>

@@ -7674,6 +7674,10 @@ Per cominciare: %1</translation>
         <translation>quota del raggio %1 ± %2</translation>
     </message>
     <message>
+        <source>rate = {} Hz: expected more than 0</source>
+        <translation>frequenza = {} Hz: attesa più di 0</translation>
+    </message>
+    <message>
         <source>rate = {} Hz: expected {} … {}</source>
         <translation>frequenza = {} Hz: attesi {} … {}</translation>
     </message>
@@ -7900,6 +7904,22 @@ Per cominciare: %1</translation>
     <message>
         <source>scene {}</source>
         <translation>scena {}</translation>
+    </message>
+    <message>
+        <source>scene: none is given</source>
+        <translation>scena: non ne è data nessuna</translation>
+    </message>
+    <message>
+        <source>scene: {} meshes and {} models; expected {} of each, as there are bodies</source>
+        <translation>scena: {} mesh e {} modelli; attesi {} di ciascuno, quanti sono i corpi</translation>
+    </message>
+    <message>
+        <source>scene: {} meshes and {} textures; expected {} of each, as there are bodies</source>
+        <translation>scena: {} mesh e {} superfici; attesi {} di ciascuna, quanti sono i corpi</translation>
+    </message>
+    <message>
+        <source>scene: {} textures; expected {}, as there are bodies</source>
+        <translation>scena: {} superfici; attese {}, quanti sono i corpi</translation>
     </message>
     <message>
         <source>search text: {}</source>
@@ -9644,6 +9664,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: no mesh by its name; expected .obj, .stl or .ply</source>
         <translation>{}: dal nome non è una mesh; atteso .obj, .stl o .ply</translation>
+    </message>
+    <message>
+        <source>{}: no mesh; expected one</source>
+        <translation>{}: nessuna mesh; attesa una</translation>
     </message>
     <message>
         <source>{}: no permission. Add yourself to its group with "sudo usermod -aG {} $USER" and log in again</source>

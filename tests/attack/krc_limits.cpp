@@ -22,7 +22,6 @@ using namespace fyd::device;
 constexpr std::array<double, 4> kTicks_s = {0.001, 0.002, 0.005, 0.01};
 constexpr int kFullRuns = 400;
 constexpr double kRun_s = 20.0;
-constexpr double kDay_s = 86'400.0;
 
 struct Chance {
   std::mt19937_64 random;

@@ -58,8 +58,17 @@ class Consumer(unittest.TestCase):
     def test_through_pkg_config(self):
         environment = os.environ | {"PKG_CONFIG_PATH": str(LIBRARY / "pkgconfig")}
         flags = shlex.split(run("pkg-config", "--cflags", "--libs", "fyd", env=environment))
-        run(os.environ["CXX"], SOURCES / "texture.cpp", "-o", BUILD / "texture_pkg_config", *flags)
+        strict = ["-Wall", "-Wextra", "-Werror"]
+        run(os.environ["CXX"], SOURCES / "texture.cpp", "-o", BUILD / "texture_pkg_config", *strict, *flags)
         run(BUILD / "texture_pkg_config", env=os.environ | {"LD_LIBRARY_PATH": str(LIBRARY)})
+        run(os.environ["CXX"], "-fsyntax-only", SOURCES / "replay.cpp", *strict, *flags)  # it has OpenCV's headers
+
+    def test_a_caller_for_this_very_processor_copies_a_soft_body(self):
+        """What a class holds must not be aligned otherwise there: the copy is compiled into the caller."""
+        environment = os.environ | {"PKG_CONFIG_PATH": str(LIBRARY / "pkgconfig")}
+        flags = shlex.split(run("pkg-config", "--cflags", "--libs", "fyd", env=environment))
+        run(os.environ["CXX"], "-O2", "-march=native", SOURCES / "soft.cpp", "-o", BUILD / "soft_native", *flags)
+        run(BUILD / "soft_native", env=os.environ | {"LD_LIBRARY_PATH": str(LIBRARY)})
 
     def test_another_minor_version_is_refused(self):
         folder = BUILD / "other"

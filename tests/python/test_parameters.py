@@ -33,6 +33,9 @@ def test_they_are_a_mapping():
     assert list(parameters.values()) == [parameters[name] for name in parameters.keys()]
     assert parameters.get("control.kp") == 2 and parameters.get("nonsense") is None and parameters.get("nonsense", 7) == 7
     assert "control.kp" in parameters
+    assert parameters == fyd.Parameters({"control.kp": 2}) != fyd.Parameters() and parameters != dict(parameters)
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(parameters)  # it changes
     for no_name in (3, None, "nonsense", ("control.kp",), "\udcff"):
         assert no_name not in parameters
 

@@ -138,6 +138,19 @@ def test_time_counts_from_the_start(classic):
         classic.row_at(float("nan"))
 
 
+def test_rows_are_chosen_by_the_names_of_their_numbers(classic):
+    state, kind = classic.telemetry["state"], classic.event_columns["kind"]
+    active = state == fyd.SafetyState.active
+    assert active.dtype == bool and active.any() and not active.all()
+    assert np.array_equal(active, state == int(fyd.SafetyState.active)) and np.array_equal(~active, state != fyd.SafetyState.active)
+    assert np.array_equal(active, np.isin(state, [fyd.SafetyState.active])) and (fyd.SafetyState.active == state).sum() == active.sum()
+    assert (kind == fyd.EventKind.state_changed).any() and fyd.Fault.none == 0 == fyd.Fault.none
+    assert state[active][0] == fyd.SafetyState.active and {fyd.SafetyState.active: 1}[fyd.SafetyState.active] == 1
+    for another in ("active", None, 1.5, fyd.LinkPhase.paused, fyd.SafetyState):
+        assert fyd.SafetyState.active != another and not fyd.SafetyState.active == another
+    assert int(fyd.LinkPhase.paused) == int(fyd.SafetyState.active)
+
+
 def test_an_overview_loses_no_spike(classic):
     touch = classic.telemetry["touch_z_mm"]
     for wrong, named in (((0.0, 10.0, 0), "buckets: 0"), ((10.0, 0.0, 20), "from_s: 10; expected at most to_s = 0"),

@@ -1,5 +1,6 @@
 """Contact against Hooke's law on bodies whose shape is known, scenes from files."""
 import math
+import os
 
 import numpy as np
 import pytest
@@ -51,6 +52,12 @@ def test_a_press_is_hooke_s_law(box, model):
 def test_a_mesh_file_is_read_in_its_unit(tmp_path):
     path = tmp_path / "box.obj"
     path.write_text(obj())
+    assert fyd.Mesh.open(path).volume_mm3 == fyd.Mesh.open(os.fsencode(path)).volume_mm3 == pytest.approx(100 * 100 * 40)
+    for no_path in (7, None, ["box.obj"]):
+        with pytest.raises(TypeError, match="str, bytes or os.PathLike"):
+            fyd.Mesh.open(no_path)
+        with pytest.raises(TypeError, match="str, bytes or os.PathLike"):
+            fyd.Scene.open(no_path)
     assert fyd.Mesh.open(path.as_posix(), "cm").volume_mm3 == pytest.approx(1000 * 100 * 100 * 40)
     with pytest.raises(fyd.InvalidValue, match="ell.*mm, cm"):
         fyd.Mesh.open(path.as_posix(), "ell")
@@ -65,7 +72,7 @@ def test_a_scene_is_stepped(tmp_path):
     (tmp_path / "box.obj").write_text(obj())
     scene_file = tmp_path / "one.toml"
     scene_file.write_text('[[body]]\nname = "box"\nmesh = "box.obj"\nstiffness_N_per_mm = 0.8\ncontact = "facet"\n')
-    scene = fyd.Scene.open(scene_file.as_posix())
+    scene = fyd.Scene.open(scene_file)
     assert scene.bodies == ["box"]
     depth_mm = np.linspace(-2, 3, 500)
     felt = scene.run(press(depth_mm), np.arange(500) * 0.001)

@@ -124,7 +124,7 @@ class Event:
 
 class EventKind:
     """What a step reports; files store the number."""
-    def __eq__(self, other: object) -> bool:
+    def __eq__(self, other: object) -> Any:
         ...
     def __hash__(self) -> int:
         ...
@@ -134,7 +134,7 @@ class EventKind:
         ...
     def __int__(self) -> int:
         ...
-    def __ne__(self, other: object) -> bool:
+    def __ne__(self, other: object) -> Any:
         ...
     def __repr__(self) -> str:
         ...
@@ -199,7 +199,7 @@ class EventRow:
 
 class Fault:
     """What is missing or went wrong; files store the number."""
-    def __eq__(self, other: object) -> bool:
+    def __eq__(self, other: object) -> Any:
         ...
     def __hash__(self) -> int:
         ...
@@ -209,7 +209,7 @@ class Fault:
         ...
     def __int__(self) -> int:
         ...
-    def __ne__(self, other: object) -> bool:
+    def __ne__(self, other: object) -> Any:
         ...
     def __repr__(self) -> str:
         ...
@@ -382,7 +382,7 @@ class FingerInput:
 
 class FingerReason:
     """Why there is a finger in a picture, or none; files store the number."""
-    def __eq__(self, other: object) -> bool:
+    def __eq__(self, other: object) -> Any:
         ...
     def __hash__(self) -> int:
         ...
@@ -392,7 +392,7 @@ class FingerReason:
         ...
     def __int__(self) -> int:
         ...
-    def __ne__(self, other: object) -> bool:
+    def __ne__(self, other: object) -> Any:
         ...
     def __repr__(self) -> str:
         ...
@@ -604,7 +604,7 @@ class Mesh:
     def holes(self) -> int:
         """Closed loops of edges with one triangle [1]"""
     @staticmethod
-    def open(path: str, unit: str = 'mm') -> Mesh:
+    def open(path: Any, unit: str = 'mm') -> Mesh:
         """An OBJ, STL or PLY file; `unit` of its lengths: mm, cm, m or in."""
     @property
     def pieces(self) -> int:
@@ -702,7 +702,7 @@ class Note:
 
 class NoteKind:
     """What a line of a recording's log is; files store the number."""
-    def __eq__(self, other: object) -> bool:
+    def __eq__(self, other: object) -> Any:
         ...
     def __hash__(self) -> int:
         ...
@@ -712,7 +712,7 @@ class NoteKind:
         ...
     def __int__(self) -> int:
         ...
-    def __ne__(self, other: object) -> bool:
+    def __ne__(self, other: object) -> Any:
         ...
     def __repr__(self) -> str:
         ...
@@ -728,7 +728,7 @@ class NoteKind:
 
 class OperatorAction:
     """What an operator asks for; files store the number."""
-    def __eq__(self, other: object) -> bool:
+    def __eq__(self, other: object) -> Any:
         ...
     def __hash__(self) -> int:
         ...
@@ -738,7 +738,7 @@ class OperatorAction:
         ...
     def __int__(self) -> int:
         ...
-    def __ne__(self, other: object) -> bool:
+    def __ne__(self, other: object) -> Any:
         ...
     def __repr__(self) -> str:
         ...
@@ -866,8 +866,11 @@ class Parameters:
     """
     def __contains__(self, id: Any) -> bool:
         ...
+    def __eq__(self, other: object) -> Any:
+        ...
     def __getitem__(self, id: str) -> Any:
         ...
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     def __init__(self, values: Optional[dict[str, Any]] = None) -> None:
         """The defaults, and these values in their place. Units: each parameter's own."""
     def __iter__(self) -> Iterator[Any]:
@@ -1288,7 +1291,7 @@ class RobotInput:
 
 class SafetyState:
     """State of a session; files store the number."""
-    def __eq__(self, other: object) -> bool:
+    def __eq__(self, other: object) -> Any:
         ...
     def __hash__(self) -> int:
         ...
@@ -1298,7 +1301,7 @@ class SafetyState:
         ...
     def __int__(self) -> int:
         ...
-    def __ne__(self, other: object) -> bool:
+    def __ne__(self, other: object) -> Any:
         ...
     def __repr__(self) -> str:
         ...
@@ -1319,7 +1322,7 @@ class Scene:
     def bodies(self) -> list[str]:
         """Their names, in the order of the file [—]"""
     @staticmethod
-    def open(path: str, rate_Hz: float = 1000.0) -> Scene:
+    def open(path: Any, rate_Hz: float = 1000.0) -> Scene:
         """A scene file with its meshes and stored surfaces, for steps at rate_Hz [Hz]; in a Pipeline that is its
         texture.sample_rate_Hz.
         """
@@ -1762,7 +1765,7 @@ def fit_surface(accelerations_g: ArrayLike, rate_Hz: float = 1000.0, speed_mm_s:
 
 def high_pass(corner_Hz: float, rate_Hz: float = 1000.0) -> tuple[Any, ...]:
     """Coefficients (b, a) of the default filter, a Butterworth high-pass of second order with its corner at corner_Hz
-    [Hz], at rate_Hz [Hz]: at most 0.49 of it.
+    [Hz], as texture.corner_Hz may be and at most 0.49 of rate_Hz [Hz], as texture.sample_rate_Hz may be.
     """
 
 def predict_trial(time_s: ArrayLike, position_mm: ArrayLike, name: str = 'default', period_ms: float = 10.0, delay_ms: float = 50.0, jitter_ms: float = 0.0, loss_percent: float = 0.0, seed: int = 1, smooth_s: float = 0.0) -> dict[str, Any]:
@@ -1788,4 +1791,6 @@ def spectral_match(accelerations_g: ArrayLike, signal_g: ArrayLike, delay_sample
     """
 
 def welch(signal: ArrayLike, rate_Hz: float = 1000.0, segment: int = 512) -> tuple[Any, ...]:
-    """(Frequencies [Hz], one-sided density [unit²/Hz]) by Welch's method: Hann, half overlapped, no detrending."""
+    """(Frequencies [Hz], one-sided density [unit²/Hz]) by Welch's method: Hann, half overlapped, no detrending. rate_Hz
+    [Hz] as texture.sample_rate_Hz may be.
+    """

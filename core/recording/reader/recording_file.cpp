@@ -114,21 +114,7 @@ class Hdf5Recording final : public DamagedRecording {
   }
 
   Result<EncodedPicture> encodedPicture(std::uint64_t index) const override {
-    return reading([&] {
-      const auto row = tables_->value<PictureIndex>(Table::pictures, index);
-      EncodedPicture picture{.taken = row.taken,
-                             .number = row.number,
-                             .whole = {},
-                             .region = {},
-                             .region_px = row.region_px,
-                             .finger = row.finger};
-      const std::string whole = tables_->bytes(Table::picture_bytes, row.bytes_start, row.whole_bytes);
-      const std::string region =
-          tables_->bytes(Table::picture_bytes, row.bytes_start + row.whole_bytes, row.region_bytes);
-      picture.whole.assign(whole.begin(), whole.end());
-      picture.region.assign(region.begin(), region.end());
-      return picture;
-    });
+    return reading([&] { return encodedOf(index); });
   }
 
   Result<std::vector<EventRow>> events() const override {
@@ -253,15 +239,30 @@ class Hdf5Recording final : public DamagedRecording {
     });
   }
 
+  [[nodiscard]] EncodedPicture encodedOf(std::uint64_t index) const {
+    const auto row = tables_->value<PictureIndex>(Table::pictures, index);
+    EncodedPicture picture{.taken = row.taken,
+                           .number = row.number,
+                           .whole = {},
+                           .region = {},
+                           .region_px = row.region_px,
+                           .finger = row.finger};
+    const std::string whole = tables_->bytes(Table::picture_bytes, row.bytes_start, row.whole_bytes);
+    const std::string region =
+        tables_->bytes(Table::picture_bytes, row.bytes_start + row.whole_bytes, row.region_bytes);
+    picture.whole.assign(whole.begin(), whole.end());
+    picture.region.assign(region.begin(), region.end());
+    return picture;
+  }
+
   [[nodiscard]] RecordedPicture pictureOf(std::uint64_t index) const {
-    const auto stored = encodedPicture(index);
-    if (!stored) throw RecordingFailure(stored.error().message);
-    RecordedPicture picture{.time_s = secondsInto(info_, stored->taken),
-                            .number = stored->number,
+    const EncodedPicture stored = encodedOf(index);
+    RecordedPicture picture{.time_s = secondsInto(info_, stored.taken),
+                            .number = stored.number,
                             .whole = decodePicture(wholeAt(index), "the whole picture"),
-                            .region = decodePicture(stored->region, "the region"),
-                            .region_px = stored->region_px,
-                            .finger = stored->finger};
+                            .region = decodePicture(stored.region, "the region"),
+                            .region_px = stored.region_px,
+                            .finger = stored.finger};
     if (isInside(picture.region_px, picture.whole.size()) && picture.region.size() == picture.region_px.size() &&
         picture.region.type() == picture.whole.type())
       picture.region.copyTo(picture.whole(picture.region_px));

@@ -21,7 +21,10 @@ struct SoftMatrix {
   std::vector<double> value;
 };
 
-using Four = Eigen::Array4d;
+/// Its alignment must not depend on how a caller is compiled: scenes are copied there, and -march=native would otherwise
+/// make it more than the library's.
+using Four = Eigen::Array<double, 4, 1, Eigen::DontAlign>;
+static_assert(alignof(Four) == alignof(double));
 
 class FYD_API SoftSolver {
  public:

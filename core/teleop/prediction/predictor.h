@@ -14,7 +14,7 @@ namespace fyd::teleop {
 
 inline constexpr std::size_t kMostAxes = 3;
 
-/// One to three coordinates in mm; those beyond the predictor's axes stay 0.
+/// One to three coordinates in mm; of those beyond the predictor's axes nothing is said.
 using Position = std::array<double, kMostAxes>;
 
 class Predictor {

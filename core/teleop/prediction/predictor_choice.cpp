@@ -9,6 +9,7 @@
 namespace fyd::teleop {
 
 std::unique_ptr<Predictor> makePredictor(PredictorChoice choice, PredictorSetup setup) {
+  setup.axes = std::clamp<std::size_t>(setup.axes, 1, kMostAxes);
   auto weights = setup.weights ? std::move(setup.weights) : StrokeWeights::builtIn();
   switch (choice) {
     case PredictorChoice::order0: return std::make_unique<PlainPredictor>(0.0, setup.period_s);

@@ -21,10 +21,11 @@ inline constexpr std::array<std::string_view, 6> kPredictorNames = {"order0", "o
 class StrokeWeights;
 
 struct PredictorSetup {
-  std::size_t axes = 1;                                    ///< 1 … kMostAxes
+  std::size_t axes = 1;                                    ///< 1 … kMostAxes; what is beyond counts as the nearest
   double period_s = 0.0;                                   ///< of the sender's messages; 0: not known
   std::shared_ptr<const StrokeWeights> weights = nullptr;  ///< of the perceptron; null: StrokeWeights::builtIn()
 };
+/// Never null. A number that is no choice stands for the experts.
 [[nodiscard]] FYD_API std::unique_ptr<Predictor> makePredictor(PredictorChoice choice, PredictorSetup setup);
 /// By its name on the command line. @return an error with the names when there is none of that name
 [[nodiscard]] FYD_API Result<PredictorChoice> predictorNamed(std::string_view name);

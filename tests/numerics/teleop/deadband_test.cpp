@@ -193,6 +193,23 @@ TEST(Deadband, AConstantIsRefreshedAndASilenceIsNotTakenForOne) {
   EXPECT_FALSE(receiver.at(-1.0).known);
 }
 
+TEST(Deadband, WhatIsBeyondChannelsOrHistoryIsNotThere) {
+  DeadbandChannels channels{};
+  channels[0].moves = true;
+  for (const std::size_t history : {std::size_t{0}, std::size_t{1'000'000}}) {
+    DeadbandSender sender(channels, DeadbandSender::kRefresh_s, history);
+    DeadbandReceiver receiver;
+    for (int i = 0; i < 300; ++i) {
+      if (const auto packet = sender.step(0.001 * i, {0.01 * i}, {10.0})) receiver.receive(*packet);
+    }
+    EXPECT_TRUE(receiver.at(0.15).known) << history;
+    EXPECT_TRUE(receiver.place(0.15, 0, channels[0])) << history;
+    for (const std::size_t channel : {kMostDeadbandChannels, std::numeric_limits<std::size_t>::max()}) {
+      EXPECT_FALSE(receiver.place(0.15, channel, channels[0]));
+    }
+  }
+}
+
 TEST(Deadband, HostilePacketsChangeNothing) {
   DeadbandReceiver receiver;
   const auto packet = [](std::uint32_t number, double date_s, double value) {

@@ -24,6 +24,22 @@ std::unique_ptr<Predictor> named(std::string_view name, std::size_t axes = 1) {
   return makePredictor(predictorNamed(name).value(), {.axes = axes, .period_s = 0.010});
 }
 
+TEST(MakePredictor, ANumberOfAxesBeyondItsRangeCountsAsTheNearest) {
+  for (const std::string_view name : kPredictorNames) {
+    for (const std::size_t axes : {std::size_t{0}, std::size_t{4}, std::numeric_limits<std::size_t>::max()}) {
+      const auto beyond = named(name, axes), nearest = named(name, axes == 0 ? 1 : kMostAxes);
+      for (int i = 0; i < 600; ++i) {
+        const double t_s = 0.01 * i;
+        const Position at = {std::sin(t_s), std::cos(t_s), t_s};
+        beyond->message(t_s, at);
+        nearest->message(t_s, at);
+        EXPECT_EQ(beyond->predict(t_s + 0.05), nearest->predict(t_s + 0.05)) << name << ", " << axes << " axes";
+      }
+    }
+  }
+  EXPECT_NE(makePredictor(static_cast<PredictorChoice>(200), {}), nullptr);
+}
+
 Trace traceOf(double seconds, double rate_Hz, const std::function<double(double)>& x, double start_s = 0.0) {
   Trace out{.axes = 1, .time_s = {}, .position_mm = {}};
   for (int i = 0; i < static_cast<int>(seconds * rate_Hz); ++i) {

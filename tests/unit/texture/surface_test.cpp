@@ -11,6 +11,7 @@
 #include "core/signal/welch.h"
 #include "core/texture/contact_detector.h"
 #include "core/texture/finger_speed.h"
+#include "core/texture/method_bank.h"
 #include "core/texture/virtual_texture.h"
 #include "tests/not_a_number.h"
 
@@ -207,6 +208,15 @@ TEST(SurfaceFit, GivesOnlyBandsThatAModelMayHave) {
             "recording of 5 Hz at 1000 mm/s: no band of it can stand in a surface model");
   for (std::size_t i = 0; i < z.size(); ++i) z[i] = 900.0 * std::sin(0.6 * static_cast<double>(i));
   EXPECT_NE(fitted(1000.0, 40.0).error().text().find("expected at most 20 g"), std::string::npos);
+}
+
+TEST(Methods, AreMadeForARateThatIsOne) {
+  for (const double rate_Hz : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
+    for (const MethodChoice choice : {MethodChoice::magnitude, MethodChoice::dft321, MethodChoice::soc}) {
+      EXPECT_EQ(makeMethod(choice, rate_Hz, 32, 16).error().text(),
+                fmt::format("rate = {} Hz: expected more than 0", rate_Hz));
+    }
+  }
 }
 
 TEST(SurfaceFit, RefusesWhatNoSensorGives) {
