@@ -10,10 +10,11 @@ namespace {
 
 using namespace pipeline;
 
-/// Files and columns hold the numbers: `telemetry["state"] == fyd.SafetyState.active` selects rows by them. pybind11's own
-/// comparison knows its own type alone, and says of every number that it is another.
+/// An enum whose values equal their numbers, as files and columns hold these: `telemetry["state"] ==
+/// fyd.SafetyState.active` selects rows. pybind11's own comparison says of every number that it is another.
 template <class T>
-void equalsItsNumber(py::enum_<T>& type) {
+py::enum_<T> numbered(py::module_& module, const char* name, const char* help) {
+  py::enum_<T> type(module, name, help);
   // What is neither of this type nor an integer has its own word, as an array has, which answers for each element.
   const auto compared = [](int operation) {
     return [operation](const py::object& self, const py::object& other) {
@@ -26,32 +27,32 @@ void equalsItsNumber(py::enum_<T>& type) {
   };
   type.attr("__eq__") = py::cpp_function(compared(Py_EQ), py::name("__eq__"), py::is_method(type), py::arg("other"));
   type.attr("__ne__") = py::cpp_function(compared(Py_NE), py::name("__ne__"), py::is_method(type), py::arg("other"));
+  return type;
 }
 
 void addEnums(py::module_& module) {
-  equalsItsNumber(py::enum_<SafetyState>(module, "SafetyState", "State of a session; files store the number.")
-                      .value("disconnected", SafetyState::disconnected)
-                      .value("connected", SafetyState::connected)
-                      .value("ready", SafetyState::ready)
-                      .value("active", SafetyState::active)
-                      .value("held", SafetyState::held)
-                      .value("stopped", SafetyState::stopped));
-  py::enum_<LinkPhase>(module, "LinkPhase", "How the robot's link stands; files store the number.")
+  numbered<SafetyState>(module, "SafetyState", "State of a session; files store the number.")
+      .value("disconnected", SafetyState::disconnected)
+      .value("connected", SafetyState::connected)
+      .value("ready", SafetyState::ready)
+      .value("active", SafetyState::active)
+      .value("held", SafetyState::held)
+      .value("stopped", SafetyState::stopped);
+  numbered<LinkPhase>(module, "LinkPhase", "How the robot's link stands; files store the number.")
       .value("none", LinkPhase::none)
       .value("waiting", LinkPhase::waiting)
       .value("running", LinkPhase::running)
       .value("paused", LinkPhase::paused)
       .value("closed", LinkPhase::closed)
       .value("lost", LinkPhase::lost);
-  equalsItsNumber(
-      py::enum_<OperatorAction>(module, "OperatorAction", "What an operator asks for; files store the number.")
-          .value("arm", OperatorAction::arm)
-          .value("stop", OperatorAction::stop)
-          .value("tare", OperatorAction::tare)
-          .value("target_by_hand", OperatorAction::target_by_hand)
-          .value("target_from_robot", OperatorAction::target_from_robot)
-          .value("fell_silent", OperatorAction::fell_silent));
-  py::enum_<RobotCommand>(module, "RobotCommand", "What the robot's operator asks for; files store the number.")
+  numbered<OperatorAction>(module, "OperatorAction", "What an operator asks for; files store the number.")
+      .value("arm", OperatorAction::arm)
+      .value("stop", OperatorAction::stop)
+      .value("tare", OperatorAction::tare)
+      .value("target_by_hand", OperatorAction::target_by_hand)
+      .value("target_from_robot", OperatorAction::target_from_robot)
+      .value("fell_silent", OperatorAction::fell_silent);
+  numbered<RobotCommand>(module, "RobotCommand", "What the robot's operator asks for; files store the number.")
       .value("none", RobotCommand::none)
       .value("vibration_down", RobotCommand::vibration_down)
       .value("vibration_up", RobotCommand::vibration_up)
@@ -65,38 +66,33 @@ void addEnums(py::module_& module) {
       .value("motor_reference_on", RobotCommand::motor_reference_on)
       .value("motor_reference_off", RobotCommand::motor_reference_off);
   using sensing::FingerReason;
-  equalsItsNumber(py::enum_<FingerReason>(module, "FingerReason",
-                                          "Why there is a finger in a picture, or none; files store the number.")
-                      .value("found", FingerReason::found)
-                      .value("no_finger", FingerReason::no_finger)
-                      .value("too_small", FingerReason::too_small)
-                      .value("at_edge", FingerReason::at_edge)
-                      .value("several", FingerReason::several)
-                      .value("flat_picture", FingerReason::flat_picture)
-                      .value("black_picture", FingerReason::black_picture)
-                      .value("saturated", FingerReason::saturated)
-                      .value("blurred", FingerReason::blurred)
-                      .value("no_picture", FingerReason::no_picture));
+  numbered<FingerReason>(module, "FingerReason", "Why there is a finger in a picture, or none; files store the number.")
+      .value("found", FingerReason::found)
+      .value("no_finger", FingerReason::no_finger)
+      .value("too_small", FingerReason::too_small)
+      .value("at_edge", FingerReason::at_edge)
+      .value("several", FingerReason::several)
+      .value("flat_picture", FingerReason::flat_picture)
+      .value("black_picture", FingerReason::black_picture)
+      .value("saturated", FingerReason::saturated)
+      .value("blurred", FingerReason::blurred)
+      .value("no_picture", FingerReason::no_picture);
   using recording::NoteKind;
-  equalsItsNumber(
-      py::enum_<NoteKind>(module, "NoteKind", "What a line of a recording's log is; files store the number.")
-          .value("note", NoteKind::note)
-          .value("bookmark", NoteKind::bookmark)
-          .value("trial_start", NoteKind::trial_start)
-          .value("trial_end", NoteKind::trial_end)
-          .value("alarm", NoteKind::alarm));
-  using recording::Wholeness;
-  auto fault = py::enum_<Fault>(module, "Fault", "What is missing or went wrong; files store the number.");
+  numbered<NoteKind>(module, "NoteKind", "What a line of a recording's log is; files store the number.")
+      .value("note", NoteKind::note)
+      .value("bookmark", NoteKind::bookmark)
+      .value("trial_start", NoteKind::trial_start)
+      .value("trial_end", NoteKind::trial_end)
+      .value("alarm", NoteKind::alarm);
+  auto fault = numbered<Fault>(module, "Fault", "What is missing or went wrong; files store the number.");
   fault.value("none", Fault::none);
 #define FAULT(name, ...) fault.value(#name, Fault::name);
 #include "core/pipeline/fault_list.h"
 #undef FAULT
-  equalsItsNumber(fault);
-  auto event = py::enum_<EventKind>(module, "EventKind", "What a step reports; files store the number.");
+  auto event = numbered<EventKind>(module, "EventKind", "What a step reports; files store the number.");
 #define EVENT(name, ...) event.value(#name, EventKind::name);
 #include "core/pipeline/event_list.h"
 #undef EVENT
-  equalsItsNumber(event);
 }
 
 template <class T>

@@ -5,11 +5,11 @@
 
 #include "core/scene/mesh/vector.h"
 #include "core/scene/scene_digest.h"
+#include "core/signal/sample_rate.h"
 
 namespace fyd::scene {
 
 Result<FeltScene> FeltScene::build(std::shared_ptr<const LoadedScene> loaded, double rate_Hz) {
-  if (loaded == nullptr) return fail("scene: none is given");
   const auto choices = chooseModels(*loaded);
   if (!choices) return tl::unexpected(choices.error());
   return build(std::move(loaded), modelsOf(*choices), rate_Hz);
@@ -17,12 +17,7 @@ Result<FeltScene> FeltScene::build(std::shared_ptr<const LoadedScene> loaded, do
 
 Result<FeltScene> FeltScene::build(std::shared_ptr<const LoadedScene> loaded, std::vector<BodyModel> models,
                                    double rate_Hz) {
-  if (loaded == nullptr) return fail("scene: none is given");
-  if (loaded->textures.size() != loaded->description.bodies.size()) {
-    return fail("scene: {} textures; expected {}, as there are bodies", loaded->textures.size(),
-                loaded->description.bodies.size());
-  }
-  if (!(rate_Hz > 0.0 && std::isfinite(rate_Hz))) return fail("rate = {} Hz: expected more than 0", rate_Hz);
+  if (auto checked = signal::checkSampleRate(rate_Hz); !checked) return tl::unexpected(checked.error());
   auto scene = buildScene(*loaded, models);
   if (!scene) return tl::unexpected(scene.error());
   return FeltScene(std::move(loaded), std::move(models), std::move(*scene), rate_Hz);

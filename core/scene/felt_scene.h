@@ -19,7 +19,7 @@ namespace fyd::scene {
 
 class FYD_API FeltScene {
  public:
-  /// Models as measured (chooseModels). @param loaded its meshes and textures as many as its bodies
+  /// Models as measured (chooseModels). @param loaded not null
   /// @param rate_Hz of the steps. @return an error that names the body, or what of the scene or the rate cannot be
   [[nodiscard]] static Result<FeltScene> build(std::shared_ptr<const LoadedScene> loaded, double rate_Hz);
   [[nodiscard]] static Result<FeltScene> build(std::shared_ptr<const LoadedScene> loaded, std::vector<BodyModel> models,

@@ -11,15 +11,10 @@ bool needsWalkableMesh(const SceneDescription& description, const BodyDescriptio
 }
 
 Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene) {
-  const std::size_t bodies = scene.description.bodies.size();
-  if (scene.meshes.size() != bodies || scene.textures.size() != bodies) {
-    return fail("scene: {} meshes and {} textures; expected {} of each, as there are bodies", scene.meshes.size(),
-                scene.textures.size(), bodies);
-  }
+  if (auto checked = checkMeshes(scene.description, scene.meshes); !checked) return tl::unexpected(checked.error());
   std::vector<BodyChoice> out;
-  for (std::size_t i = 0; i < bodies; ++i) {
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     const BodyDescription& body = scene.description.bodies[i];
-    if (scene.meshes[i] == nullptr) return fail("{}: no mesh; expected one", body.name);
     const std::optional<double> accuracy = scene.description.accuracy;
     const TriangleTree& tree = scene.meshes[i]->tree;
     BodyChoice& to = out.emplace_back();
@@ -47,6 +42,10 @@ std::vector<BodyModel> modelsOf(const std::vector<BodyChoice>& choices) {
 }
 
 Result<Scene> buildScene(const LoadedScene& scene, const std::vector<BodyModel>& models) {
+  if (scene.textures.size() != scene.description.bodies.size()) {
+    return fail("scene: {} textures; expected {}, as there are bodies", scene.textures.size(),
+                scene.description.bodies.size());
+  }
   return Scene::build(scene.description, scene.meshes, models);
 }
 

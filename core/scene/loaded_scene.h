@@ -32,10 +32,10 @@ struct BodyChoice {
   std::optional<ContactChoiceReport> contact;  ///< of a rigid body, where it was chosen
   std::optional<SoftChoiceReport> soft;        ///< of a soft body, likewise
 };
-/// @return an error that names the body and what of its material is out of range; or that a body has no mesh, or the
-/// scene not as many meshes and textures as bodies
+/// @return the error of checkMeshes, or one that names the body and what of its material is out of range
 [[nodiscard]] FYD_API Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene);
 
+/// @return the error of Scene::build, or that there are not as many textures as bodies
 [[nodiscard]] FYD_API Result<Scene> buildScene(const LoadedScene& scene, const std::vector<BodyModel>& models);
 [[nodiscard]] FYD_API std::vector<BodyModel> modelsOf(const std::vector<BodyChoice>& choices);
 

@@ -56,7 +56,6 @@ Contact Scene::Body::touch(const Vec3& probe_mm, const Vec3& velocity_mm_per_s, 
 
 Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<const SearchedMesh> with,
                                   const BodyModel& model) {
-  if (with == nullptr) return fail("{}: no mesh; expected one", from.name);
   const MeshReport& r = with->mesh.report();
   const Vec3 middle_mm = 0.5 * (r.lowest_mm + r.highest_mm);
   const double half_diagonal_mm = 0.5 * length(r.highest_mm - r.lowest_mm);
@@ -80,12 +79,25 @@ Result<Scene::Body> Scene::bodyOf(const BodyDescription& from, std::shared_ptr<c
   return Body{Placement(from), std::move(with), std::move(contact), nearest, middle_mm, reach_mm};
 }
 
+Result<void> checkMeshes(const SceneDescription& description,
+                         std::span<const std::shared_ptr<const SearchedMesh>> meshes) {
+  if (meshes.size() != description.bodies.size()) {
+    return fail("scene: {} meshes; expected {}, as there are bodies", meshes.size(), description.bodies.size());
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const BodyDescription& body = description.bodies[i];
+    if (meshes[i] == nullptr) return fail("{}: no mesh; expected one", body.name);
+    if (!body.soft && !meshes[i]->walkable)
+      return fail("{}: its mesh is not walkable; expected one for a rigid body", body.name);
+  }
+  return {};
+}
+
 Result<Scene> Scene::build(const SceneDescription& description, std::vector<std::shared_ptr<const SearchedMesh>> meshes,
                            const std::vector<BodyModel>& models) {
-  const std::size_t bodies = description.bodies.size();
-  if (meshes.size() != bodies || models.size() != bodies) {
-    return fail("scene: {} meshes and {} models; expected {} of each, as there are bodies", meshes.size(),
-                models.size(), bodies);
+  if (auto checked = checkMeshes(description, meshes); !checked) return tl::unexpected(checked.error());
+  if (models.size() != description.bodies.size()) {
+    return fail("scene: {} models; expected {}, as there are bodies", models.size(), description.bodies.size());
   }
   Scene out;
   out.gestures_ = SceneGestures(description);

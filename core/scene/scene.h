@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -70,10 +71,14 @@ struct BodyModel {
   SoftResolution resolution = {.most_points = kUsualPoints};  ///< of a soft one
 };
 
+/// Whether there is a mesh for each body of the description, walkable for a rigid one.
+[[nodiscard]] FYD_API Result<void> checkMeshes(const SceneDescription& description,
+                                               std::span<const std::shared_ptr<const SearchedMesh>> meshes);
+
 class FYD_API Scene {
  public:
-  /// @param meshes, models one for each body of the description; the mesh of a rigid one walks
-  /// @return an error that names the body and what of its material is out of range, or that one has no mesh or model
+  /// @param meshes as checkMeshes wants them @param models one for each body of the description
+  /// @return the error of checkMeshes, or one that names the body and what of its material is out of range
   [[nodiscard]] static Result<Scene> build(const SceneDescription& description,
                                            std::vector<std::shared_ptr<const SearchedMesh>> meshes,
                                            const std::vector<BodyModel>& models);

@@ -1,6 +1,6 @@
 #include "core/texture/method_bank.h"
 
-#include <cmath>
+#include "core/signal/sample_rate.h"
 
 namespace fyd::texture {
 
@@ -34,9 +34,7 @@ Result<void> checkFrame(MethodChoice choice, int frame, int hop) {
 
 Result<std::unique_ptr<Method>> makeMethod(MethodChoice choice, double sample_rate_Hz, int frame, int hop) {
   if (auto checked = checkFrame(choice, frame, hop); !checked) return tl::unexpected(checked.error());
-  if (!(sample_rate_Hz > 0.0 && std::isfinite(sample_rate_Hz))) {
-    return fail("rate = {} Hz: expected more than 0", sample_rate_Hz);
-  }
+  if (auto checked = signal::checkSampleRate(sample_rate_Hz); !checked) return tl::unexpected(checked.error());
   switch (choice) {
     case MethodChoice::single: return std::make_unique<SingleAxis>();
     case MethodChoice::soc: return std::make_unique<SumOfComponents>();

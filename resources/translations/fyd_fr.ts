@@ -7906,16 +7906,12 @@ Pour commencer : %1</translation>
         <translation>scène {}</translation>
     </message>
     <message>
-        <source>scene: none is given</source>
-        <translation>scène : aucune n'est donnée</translation>
+        <source>scene: {} meshes; expected {}, as there are bodies</source>
+        <translation>scène : {} maillages ; attendu {}, autant que de corps</translation>
     </message>
     <message>
-        <source>scene: {} meshes and {} models; expected {} of each, as there are bodies</source>
-        <translation>scène : {} maillages et {} modèles ; attendu {} de chaque, autant que de corps</translation>
-    </message>
-    <message>
-        <source>scene: {} meshes and {} textures; expected {} of each, as there are bodies</source>
-        <translation>scène : {} maillages et {} textures ; attendu {} de chaque, autant que de corps</translation>
+        <source>scene: {} models; expected {}, as there are bodies</source>
+        <translation>scène : {} modèles ; attendu {}, autant que de corps</translation>
     </message>
     <message>
         <source>scene: {} textures; expected {}, as there are bodies</source>
@@ -9612,6 +9608,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: its links run in a circle</source>
         <translation>{} : ses liens tournent en rond</translation>
+    </message>
+    <message>
+        <source>{}: its mesh is not walkable; expected one for a rigid body</source>
+        <translation>{} : son maillage ne peut pas être parcouru ; attendu un pour un corps rigide</translation>
     </message>
     <message>
         <source>{}: its values lie in other datasets; a recording holds its own</source>

@@ -7906,16 +7906,12 @@ Per cominciare: %1</translation>
         <translation>scena {}</translation>
     </message>
     <message>
-        <source>scene: none is given</source>
-        <translation>scena: non ne è data nessuna</translation>
+        <source>scene: {} meshes; expected {}, as there are bodies</source>
+        <translation>scena: {} mesh; attese {}, quanti sono i corpi</translation>
     </message>
     <message>
-        <source>scene: {} meshes and {} models; expected {} of each, as there are bodies</source>
-        <translation>scena: {} mesh e {} modelli; attesi {} di ciascuno, quanti sono i corpi</translation>
-    </message>
-    <message>
-        <source>scene: {} meshes and {} textures; expected {} of each, as there are bodies</source>
-        <translation>scena: {} mesh e {} superfici; attesi {} di ciascuna, quanti sono i corpi</translation>
+        <source>scene: {} models; expected {}, as there are bodies</source>
+        <translation>scena: {} modelli; attesi {}, quanti sono i corpi</translation>
     </message>
     <message>
         <source>scene: {} textures; expected {}, as there are bodies</source>
@@ -9612,6 +9608,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: its links run in a circle</source>
         <translation>{}: i suoi collegamenti girano in tondo</translation>
+    </message>
+    <message>
+        <source>{}: its mesh is not walkable; expected one for a rigid body</source>
+        <translation>{}: la sua mesh non si può percorrere; attesa una per un corpo rigido</translation>
     </message>
     <message>
         <source>{}: its values lie in other datasets; a recording holds its own</source>

@@ -149,6 +149,11 @@ def test_rows_are_chosen_by_the_names_of_their_numbers(classic):
     for another in ("active", None, 1.5, fyd.LinkPhase.paused, fyd.SafetyState):
         assert fyd.SafetyState.active != another and not fyd.SafetyState.active == another
     assert int(fyd.LinkPhase.paused) == int(fyd.SafetyState.active)
+    stored = (fyd.SafetyState, fyd.LinkPhase, fyd.OperatorAction, fyd.RobotCommand, fyd.FingerReason, fyd.NoteKind,
+              fyd.Fault, fyd.EventKind)
+    assert all("files store the number" in each.__doc__ for each in stored)
+    for each in (value for enum in stored for value in enum.__members__.values()):
+        assert each == int(each) and not each != int(each) and each != int(each) + 1 and np.uint8(int(each)) == each
 
 
 def test_an_overview_loses_no_spike(classic):

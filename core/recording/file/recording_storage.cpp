@@ -72,8 +72,8 @@ void RecordingStorage::take(hid_t opened_file) {
 }
 
 bool RecordingStorage::isStill(const std::string& path) const {
-  struct stat ours {
-  }, named{};
+  struct stat ours {};
+  struct stat named {};
   (void)::fstat(descriptor_.number(), &ours);
   if (::stat(path.c_str(), &named) != 0) return errno != ENOENT;  // a disk that does not answer is no program's doing
   return named.st_ino == ours.st_ino && !disk_->shortened();

@@ -438,6 +438,20 @@ TEST(CrashRecording, ANameTakenMeanwhileIsNotReplaced) {
   expectPlain(**recording, 300);
 }
 
+TEST(CrashRecording, AnotherFileInItsPlaceIsNotGivenItsName) {
+  const Folder folder;
+  auto writer = RecordingWriter::create(folder.file(), header());
+  ASSERT_TRUE(writer);
+  for (std::uint64_t row = 0; row < 300; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
+  EXPECT_TRUE((*writer)->safe());
+  std::filesystem::remove(partialOf(folder.file()));
+  std::ofstream(partialOf(folder.file())) << "somebody else's";
+  EXPECT_FALSE((*writer)->safe());
+  EXPECT_FALSE((*writer)->close());
+  EXPECT_FALSE(std::filesystem::exists(folder.file()));
+  EXPECT_EQ(std::filesystem::file_size(partialOf(folder.file())), 15U);
+}
+
 TEST(CrashRecording, AFolderThatGoesIsAnErrorAtTheEnd) {
   const Folder folder;
   std::filesystem::create_directory(folder.path() + "/in");
