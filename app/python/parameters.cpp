@@ -221,7 +221,7 @@ void addParameters(py::module_& module) {
           "(Id, value) of all parameters, in that order. Units: each parameter's own.")
       .def(
           "get",
-          [](const ParameterSet& set, const std::string& id, py::object otherwise) {
+          [](const ParameterSet& set, const std::string& id, const py::object& otherwise) {
             const Parameter* found = findParameter(set.bound(), id);
             return found == nullptr ? otherwise : valueOf(*found);
           },

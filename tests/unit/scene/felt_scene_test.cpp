@@ -39,10 +39,9 @@ TEST(FeltScene, WhatDoesNotFitTogetherIsRefused) {
     return out;
   };
   const auto refusals = [&](const std::shared_ptr<const LoadedScene>& wrong) {
-    const std::string first = refusal(FeltScene::build(wrong, 1000.0)),
-                      second = refusal(FeltScene::build(wrong, one, 1000.0));
-    EXPECT_EQ(first, second);
-    return first;
+    std::string with_chosen_models = refusal(FeltScene::build(wrong, 1000.0));
+    EXPECT_EQ(with_chosen_models, refusal(FeltScene::build(wrong, one, 1000.0)));
+    return with_chosen_models;
   };
   EXPECT_EQ(refusals(with([](LoadedScene& scene) { scene.meshes.clear(); })),
             "scene: 0 meshes; expected 1, as there are bodies");
