@@ -4,8 +4,9 @@
     cmake --preset branches && cmake --build --preset branches && ctest --preset branches
     python3 tests/coverage/coverage.py build/branches
 
-That counts the three parts, which alone are unoptimised. With the preset coverage everything is, takes hours, and the
-lines of the whole core are counted too.
+That counts the three parts, which alone are unoptimised. Each process leaves its counts in counts/PROGRAM/PROCESS
+of the build folder (remove them to begin anew). With the preset coverage everything is unoptimised, which takes hours, and the lines
+of the whole core are counted too.
 
 Branches that only an exception takes do not count (gcovr --exclude-throw-branches), nor do those behind such a one
 (gcov.py beside this file), nor those that the compiler made of a closing brace. A branch that no test takes stands in
@@ -19,11 +20,15 @@ looks, without any build, whether the line of each row there stands in its file,
 
 import argparse
 import collections
+import concurrent.futures
 import json
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import tomllib
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
@@ -35,15 +40,47 @@ EVERY_BRANCH = {
 }
 
 
+def add_up(program, out, folder):
+    """Puts one program's counts, those of its processes together, into `out`. A process that was killed as it wrote has
+    none."""
+    processes = sorted(program.iterdir())
+    total, lost = processes[0], 0
+    for number, process in enumerate(processes[1:]):
+        both = folder / str(number)
+        run = subprocess.run(["gcov-tool", "merge", "--output", both, total, process], capture_output=True, text=True)
+        good = run.returncode == 0 and not run.stderr
+        lost += not good
+        unused = both if not good else total if total.parent == folder else None
+        total = both if good else total
+        if unused:
+            shutil.rmtree(unused, ignore_errors=True)
+    shutil.copytree(total, out)
+    print(f"{program.name}: {len(processes)} processes" + (f", the counts of {lost} are lost" if lost else ""), flush=True)
+
+
 def counted(build):
-    """gcovr's own report, as JSON."""
+    """gcovr's report of what all programs ran, as JSON; gcov.py asks gcov about each program's counts."""
+    programs = sorted((build / "counts").glob("*"))
+    if not programs:
+        sys.exit(f"coverage.py: {build}: nothing was counted; expected the preset coverage or branches, built and run")
     out = build / "coverage.json"
-    run = subprocess.run(
-        ["gcovr", "--root", SOURCE, "--object-directory", build, "--filter", f"{SOURCE}/core/",
-         "--exclude-throw-branches", "--exclude-unreachable-branches", "--gcov-ignore-parse-errors", "-j", "2",
-         "--gcov-executable", pathlib.Path(__file__).with_name("gcov.py"), "--json", out,
-         build / "core", build / "tests", build / "app"],
-        capture_output=True, text=True)
+    with tempfile.TemporaryDirectory() as temporary:
+        added = pathlib.Path(temporary) / "added"
+        added.mkdir()
+
+        def added_one(program):
+            folder = pathlib.Path(temporary) / program.name
+            folder.mkdir()
+            add_up(program, added / program.name, folder)
+
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            list(pool.map(added_one, programs))
+        run = subprocess.run(
+            ["gcovr", "--root", SOURCE, "--object-directory", build, "--filter", f"{SOURCE}/core/",
+             "--exclude-throw-branches", "--exclude-unreachable-branches", "--gcov-ignore-parse-errors", "-j", "2",
+             "--gcov-executable", pathlib.Path(__file__).with_name("gcov.py"), "--json", out,
+             build / "core", build / "tests", build / "app"],
+            capture_output=True, text=True, env={**os.environ, "FYD_ADDED_COUNTS": str(added)})
     if run.returncode:
         sys.exit(f"coverage.py: gcovr: {run.stderr[-2000:]}")
     return json.loads(out.read_text())["files"]
@@ -74,8 +111,6 @@ def main():
     if not chosen.build:
         arguments.error("a build folder of the preset coverage or branches was expected")
     files = counted(chosen.build.resolve())
-    if not files:
-        sys.exit(f"coverage.py: {chosen.build}: nothing was counted; expected the preset coverage, built and run")
     used = [False] * len(excused)
     wrong = []
 
