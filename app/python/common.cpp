@@ -4,7 +4,6 @@
 #include <thread>
 
 #include <cxxabi.h>
-#include <fmt/format.h>
 
 #include "core/base/parameter.h"
 #include "core/texture/surface_model.h"
@@ -52,6 +51,22 @@ std::vector<py::str> textOf(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) out.push_back(textOf(text));
   return out;
 }
+
+namespace {
+
+py::array realNumbers(const py::handle& given) {
+  if (py::hasattr(given, "mask") && py::hasattr(given, "filled") && given.attr("mask").attr("any")().cast<bool>())
+    throw py::type_error("a mask hides some of these numbers; expected all, as of filled(numpy.nan)");
+  auto array = py::array::ensure(given);
+  if (array && std::string_view("biufO").find(array.dtype().kind()) == std::string_view::npos)
+    throw py::type_error(
+        fmt::format("an array of {}; expected real numbers", std::string(py::str(py::object(array.dtype())))));
+  return array;
+}
+
+}  // namespace
+
+Numbers::Numbers(const py::handle& given) : array_t(ensure(realNumbers(given))) {}
 
 std::string shapeOf(const py::array& array) { return py::str(array.attr("shape")); }
 

@@ -1,6 +1,7 @@
 // What every part of the Python module needs: errors as exceptions, work without the interpreter's lock, arrays.
 #pragma once
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -9,6 +10,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -105,7 +107,14 @@ class Hdf5Turn {
 [[nodiscard]] py::str textOf(const std::string& text);
 [[nodiscard]] std::vector<py::str> textOf(const std::vector<std::string>& texts);
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// An array of numbers, or what makes one: none of it is left out in silence, neither what a mask hides nor the
+/// imaginary part of a complex number. @throws py::type_error
+class Numbers : public py::array_t<double, py::array::c_style | py::array::forcecast> {
+ public:
+  Numbers() = default;
+  /// Null where `given` makes no array of numbers.
+  explicit Numbers(const py::handle& given);
+};
 
 /// @param name of the argument, for the message
 [[nodiscard]] std::span<const double> vector(const Numbers& array, const char* name);
@@ -125,6 +134,20 @@ template <class T>
 /// The same, as rows of three.
 [[nodiscard]] py::array_t<double> arrayOf(std::vector<Vec3> values);
 
+/// An enum that is made of the numbers it has; pybind11's own takes any.
+template <class T>
+py::enum_<T> enumOf(py::module_& module, const char* name, const char* help) {
+  py::enum_<T> type(module, name, help);
+  py::delattr(type, "__init__");
+  type.def(py::init([type = py::handle(type)](std::underlying_type_t<T> number) {
+             for (const auto& [word, entry] : type.attr("__members__").template cast<py::dict>())
+               if (entry.template cast<T>() == static_cast<T>(number)) return static_cast<T>(number);
+             throw py::value_error(fmt::format("{}: no {}", number, std::string(py::str(type.attr("__name__")))));
+           }),
+           py::arg("value"));
+  return type;
+}
+
 /// Sample rate of textures, by its parameter's range.
 [[nodiscard]] double checkedRate(double rate_Hz);
 /// As a file of it would be read: what is set by hand may be anything.
@@ -143,3 +166,12 @@ void addScenes(py::module_& module);
 void addPipeline(py::module_& module);
 
 }  // namespace fyd::python
+
+template <>
+struct pybind11::detail::type_caster<fyd::python::Numbers> {
+  PYBIND11_TYPE_CASTER(fyd::python::Numbers, handle_type_name<array_t<double>>::name);
+  bool load(handle from, bool /*convert*/) {
+    value = fyd::python::Numbers(from);
+    return static_cast<bool>(value);
+  }
+};

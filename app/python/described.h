@@ -85,7 +85,7 @@ template <class F>
 }
 
 template <class T>
-void assignNamed(T& value, const py::kwargs& given) {
+void assignNamed(T& value, const py::dict& given) {
   std::size_t used = 0;
   forEachField<T>([&](auto, const auto& field) {
     if constexpr (std::is_lvalue_reference_v<FieldResult<decltype(field), T>>) {
@@ -153,6 +153,26 @@ template <class T>
     assignNamed(out, values);
     return out;
   });
+}
+
+/// Copies, also to another process, by the values that can be set.
+template <class T, class... More>
+void copyable(py::class_<T, More...>& type) {
+  type.def(py::pickle(
+      [](const T& value) {
+        py::dict out;
+        forEachField<T>([&](auto, const auto& field) {
+          using F = std::remove_cvref_t<decltype(field)>;
+          if constexpr (std::is_lvalue_reference_v<FieldResult<F, T>>)
+            out[nameOf(field).c_str()] = toPython<FieldValue<F, T>>(field.of(value));
+        });
+        return out;
+      },
+      [](const py::dict& values) {
+        T out;
+        assignNamed(out, values);
+        return out;
+      }));
 }
 
 // -- columns -----------------------------------------------------------------------------------------------------

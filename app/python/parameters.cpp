@@ -232,6 +232,17 @@ void addParameters(py::module_& module) {
       .def(
           "copy", [](const ParameterSet& set) { return std::make_unique<ParameterSet>(set.values()); },
           "A set of its own with the same values. Units: none.")
+      .def(py::pickle(
+          [](const ParameterSet& set) {
+            py::dict out;
+            for (const Parameter& each : set.bound()) out[py::str(std::string(each.id))] = valueOf(each);
+            return out;
+          },
+          [](const py::dict& values) {
+            auto out = std::make_unique<ParameterSet>();
+            update(*out, values);
+            return out;
+          }))
       .def(
           "profile", [](const ParameterSet& set) { return formatProfile(set.bound()); },
           "All of them as the TOML text of a profile. Units: each in its comment.")

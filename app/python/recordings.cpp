@@ -114,7 +114,7 @@ struct LoggedNote {
 };
 
 void addInfo(py::module_& module) {
-  py::enum_<recording::Wholeness>(module, "Wholeness", "How a recording was left.")
+  enumOf<recording::Wholeness>(module, "Wholeness", "How a recording was left.")
       .value("whole", recording::Wholeness::whole)
       .value("growing", recording::Wholeness::growing)
       .value("crashed", recording::Wholeness::crashed)

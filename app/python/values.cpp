@@ -14,7 +14,7 @@ using namespace pipeline;
 /// fyd.SafetyState.active` selects rows. pybind11's own comparison says of every number that it is another.
 template <class T>
 py::enum_<T> numbered(py::module_& module, const char* name, const char* help) {
-  py::enum_<T> type(module, name, help);
+  auto type = enumOf<T>(module, name, help);
   // What is neither of this type nor an integer has its own word, as an array has, which answers for each element.
   const auto compared = [](int operation) {
     return [operation](const py::object& self, const py::object& other) {
@@ -99,6 +99,7 @@ template <class T>
 py::class_<T> addDescribed(py::module_& module, const char* name, const char* help) {
   py::class_<T> type(module, name, help);
   describe(type);
+  copyable(type);
   type.def(byNames<T>(), "From values by their names; the others keep their defaults. Units: those in `units`.");
   return type;
 }
@@ -108,6 +109,7 @@ template <class T>
 void addTimed(py::module_& module, const char* name, const char* help) {
   py::class_<Timed<T>> type(module, name, help);
   describe(type);
+  copyable(type);
   type.def(byNames<Timed<T>>(), "From values by their names; the others keep their defaults. Units: those in `units`.");
   type.def(
       "set",

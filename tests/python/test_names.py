@@ -159,3 +159,12 @@ def test_numbers_that_stand_for_words_are_those_of_the_headers():
         assert words == [each for each, _ in sorted(value.__members__.items(), key=lambda item: int(item[1]))], name
         looked.append(name)
     assert len(looked) >= 6
+
+
+def test_a_number_that_stands_for_no_word_is_told():
+    enums = [value for value in vars(_fyd).values() if inspect.isclass(value) and hasattr(value, "__members__")]
+    assert len(enums) >= 8
+    for each in enums:
+        assert all(each(int(value)) == value for value in each.__members__.values())
+        with pytest.raises(ValueError, match=f"^250: no {each.__name__}$"):
+            each(250)

@@ -1,7 +1,9 @@
 """Parameters, against what the program's own `fyd params` says of them."""
+import copy
 import itertools
 import json
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -151,6 +153,24 @@ def test_several_are_set_together_or_not_at_all():
     with pytest.raises(fyd.InvalidValue, match="texture.k_vib"):
         parameters.update({"control.kp": before + 1, "texture.k_vib": 11})
     assert parameters["control.kp"] == before
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda value: pickle.loads(pickle.dumps(value))])
+def test_copies_are_equal_and_their_own(copied):
+    parameters = fyd.Parameters({"control.kp": 0.25, "sensing.ir_lowest_code": [11.0, 12.0, 13.0]})
+    other = copied(parameters)
+    assert other == parameters and dict(other.items()) == dict(parameters.items())
+    other["control.kp"] = 0.5
+    assert parameters["control.kp"] == 0.25
+
+    sample = fyd.TelemetrySample(touch_z_mm=1.5, state=fyd.SafetyState.active)
+    same = copied(sample)
+    assert same.as_dict().keys() == sample.as_dict().keys() and repr(same) == repr(sample)
+    same.touch_z_mm = 2.0
+    assert sample.touch_z_mm == 1.5
+    finger = fyd.FingerInput()
+    finger.set(5_000_000, x_px=3.0)
+    assert repr(copied(finger)) == repr(finger) and copied(finger).count == 1
 
 
 def test_a_profile_is_read_back_equal():

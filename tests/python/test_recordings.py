@@ -162,6 +162,8 @@ def test_an_overview_loses_no_spike(classic):
                          ((math.nan, 1.0, 20), "from_s: nan")):
         with pytest.raises(fyd.InvalidValue, match=named):
             classic.overview("touch_z_mm", *wrong)
+    with pytest.raises(KeyError, match="nope: telemetry has no such column; it has "):
+        classic.overview("nope", 0.0, 10.0, 20)
     start_s, low, high = classic.overview("touch_z_mm", 0.0, 10.0, 20)
     assert 0 < len(start_s) <= 20
     assert low.min() == touch.min() and high.max() == touch.max()

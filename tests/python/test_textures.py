@@ -67,6 +67,29 @@ def test_another_shape_is_named(wrong):
         fyd.spectral_match(wrong, np.zeros(3))
 
 
+@pytest.mark.parametrize(
+    "numbers, told",
+    [
+        (np.ones(600) * 1j, "complex128"),
+        ([1j] * 600, "complex128"),
+        (["1.5"] * 600, "<U3"),
+        (np.full(600, "2026", "M8[Y]"), "datetime64"),
+        (np.ma.masked_greater(np.arange(600.0), 300.0), "a mask hides some"),
+    ],
+)
+def test_what_would_be_left_out_in_silence_is_refused(numbers, told):
+    with pytest.raises(TypeError, match=told):
+        fyd.welch(numbers, 1000.0, 256)
+
+
+def test_numbers_of_any_real_kind_are_taken():
+    numbers = np.arange(600) % 7
+    wanted = fyd.welch(numbers.astype(float), 1000.0, 256)
+    for same in (numbers, numbers.astype(np.float32), numbers.astype(object), numbers.tolist(), np.ma.array(numbers),
+                 numbers.astype(np.int8)[::-1][::-1]):
+        assert np.array_equal(fyd.welch(same, 1000.0, 256), wanted)
+
+
 @pytest.mark.parametrize("segment", [64, 512, 1000])
 def test_welch_is_scipy_s(segment):
     signal = RANDOM.normal(size=5000)

@@ -29,6 +29,11 @@ def _close_all() -> None:
     setattr(_fyd.Error, "_closed_at_the_end", files)
 
 
+def _known(name: str) -> None:
+    if name not in _fyd.TELEMETRY_DTYPES:
+        raise KeyError(f"{name}: telemetry has no such column; it has {', '.join(_fyd.TELEMETRY_NAMES)}")
+
+
 class Columns(Mapping[str, Array]):
     """Arrays of one length by name, with their units."""
 
@@ -79,8 +84,7 @@ class Telemetry(Mapping[str, Array]):
     def _read(self, names: list[str]) -> dict[str, Array]:
         """These columns, all of one length: what refresh() finds meanwhile, in another thread, is the next read's."""
         for name in names:
-            if name not in _fyd.TELEMETRY_DTYPES:
-                raise KeyError(f"{name}: telemetry has no such column; it has {', '.join(self)}")
+            _known(name)
         rows = self._rows
         out: dict[str, Array] = {}
         taken: dict[str, tuple[Array, int]] = {}
@@ -226,6 +230,7 @@ class Recording:
         """Smallest and largest of a column between from_s and to_s [s], in at most so many buckets, one or more: (start of
         each bucket [s], smallest, largest [the column's unit]). No spike is lost.
         """
+        _known(name)
         start_s, low, high = self._file.overview(name, from_s, to_s, buckets)
         return start_s, low, high
 
