@@ -72,6 +72,47 @@ class ControlTest : public QObject {
     QCOMPARE(held.count(), 0);
   }
 
+  void onePressBeginsOneHoldThoughTheMouseComesBack() {
+    widgets::HoldButton button(QStringLiteral("Hold to move"));
+    button.resize(120, 40);
+    button.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&button, kPatience_ms));
+    QSignalSpy held(&button, &widgets::HoldButton::held);
+    QSignalSpy let_go(&button, &widgets::HoldButton::letGo);
+    const auto move = [&](QPointF to) {
+      QMouseEvent moved(QEvent::MouseMove, to, button.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(&button, &moved);
+    };
+    const QPointF inside = QRectF(button.rect()).center();
+    QFocusEvent lost(QEvent::FocusOut);
+    for (const bool acted : {false, true}) {
+      for (const auto& end : {std::function([&] {
+                                move({400, 400});
+                              }),
+                              std::function([&] { QApplication::sendEvent(&button, &lost); }), std::function([&] {
+                                button.setEnabled(false);
+                                button.setEnabled(true);
+                              })}) {
+        held.clear();
+        let_go.clear();
+        QTest::mousePress(&button, Qt::LeftButton);
+        if (acted) WAIT_EQUAL(held.count(), 1);
+        end();
+        QCOMPARE(let_go.count(), acted ? 1 : 0);
+        move({400, 400});
+        move(inside);
+        move(inside + QPointF(1, 0));
+        passTimers(widgets::HoldButton::kHold_ms + 200);
+        QCOMPARE(held.count(), acted ? 1 : 0);
+        QVERIFY(!button.engaged() && button.progress() == 0.0);
+        QTest::mouseRelease(&button, Qt::LeftButton);
+      }
+    }
+    QTest::mousePress(&button, Qt::LeftButton);
+    WAIT_EQUAL(held.count(), 2);
+    QTest::mouseRelease(&button, Qt::LeftButton);
+  }
+
   void everyStateSaysWhatWhyAndWhatToDo() {
     for (std::size_t s = 0; s < pipeline::kSafetyStateCount; ++s) {
       for (std::size_t l = 0; l < pipeline::kFaultCount; ++l) {

@@ -28,7 +28,8 @@ double HoldButton::progress() const {
 }
 
 void HoldButton::begin() {
-  if (holding_ || engaged_ || stopped_ || !isEnabled()) return;
+  if (!fresh_ || !isEnabled()) return;
+  fresh_ = false;
   holding_ = true;
   held_for_.start();
   timer_.start();
@@ -47,7 +48,7 @@ void HoldButton::cancel() {
 }
 
 void HoldButton::stop() {
-  stopped_ = true;
+  fresh_ = false;
   cancel();
 }
 
@@ -74,7 +75,7 @@ void HoldButton::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (!event->isAutoRepeat()) {
-    stopped_ = false;
+    fresh_ = true;
     begin();
   }
   event->accept();
@@ -95,7 +96,7 @@ void HoldButton::focusOutEvent(QFocusEvent* event) {
 }
 
 void HoldButton::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) stopped_ = false;
+  if (event->button() == Qt::LeftButton) fresh_ = true;
   QPushButton::mousePressEvent(event);
 }
 

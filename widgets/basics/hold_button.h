@@ -1,6 +1,7 @@
 // A button that acts only after it was held for a while, by mouse or by key: so that motion starts
-// only deliberately. Letting go early, leaving the button, losing the focus or Esc cancels it. The progress is drawn in
-// the button. What is to last only while the button is held ends with `letGo`.
+// only deliberately. Letting go early, leaving the button, losing the focus or Esc cancels it; one press begins one hold,
+// so coming back to the button with the mouse or key still down begins none. The progress is drawn in the button. What is
+// to last only while the button is held ends with `letGo`.
 #pragma once
 
 #include <QElapsedTimer>
@@ -19,8 +20,7 @@ class HoldButton : public QPushButton {
   [[nodiscard]] double progress() const;
   /// It has acted and is still held.
   [[nodiscard]] bool engaged() const { return engaged_; }
-  /// As at a stop: ends the hold. A key or a mouse button that is still down, even one that comes back to the button,
-  /// begins no other: it must be released and pressed again.
+  /// As at a stop: ends the hold, and a press that has begun none begins none.
   void stop();
 
  signals:
@@ -49,7 +49,7 @@ class HoldButton : public QPushButton {
   QTimer timer_;
   bool holding_ = false;
   bool engaged_ = false;
-  bool stopped_ = false;  ///< since the button was pressed last
+  bool fresh_ = false;  ///< a press that has begun no hold yet
 };
 
 }  // namespace fyd::widgets
