@@ -170,6 +170,14 @@ class CalibrateMotionTest : public QObject {
     c.session->reports = {encoders(0.0)};
     c.hold();
     QCOMPARE(c.session->tests.back(), device::DeviceTest::sweep);
+    // The motors jump to their zero from wherever they stood, later than they are sent there.
+    c.session->test_status.resting = true;
+    c.session->test_status.commanded_deg = {0.0, 0.0};
+    for (const double deg : {13.0, 9.0, 3.0, 0.0}) {
+      c.session->reports = {encoders(deg)};
+      c.readings(1);
+      QVERIFY(c.page->points().empty());
+    }
     for (const double deg : {0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 25.0, 20.0, 15.0, 10.0, 5.0, 0.0}) {
       c.session->test_status.resting = false;
       c.readings(2);
@@ -179,6 +187,8 @@ class CalibrateMotionTest : public QObject {
       c.readings(3);
     }
     QCOMPARE(c.page->points().size(), std::size_t{13});
+    QCOMPARE(c.page->points()[0][1], 4000.0);
+    QCOMPARE(c.page->points()[6][1], 245.0);  // the encoder has counted from 0 again
     c.session->test_status = {
         .running = false, .test = device::DeviceTest::sweep, .finished = true, .words = say("finished")};
     c.readings(1);

@@ -13,9 +13,16 @@ void CalibrationAverage::restart(int readings) {
   kept_.clear();
 }
 
-void CalibrationAverage::add(const std::vector<double>& reading) {
+void CalibrationAverage::add(std::vector<double> reading, const std::vector<CalibrationSignal>& wanted) {
   if (!kept_.empty() && kept_.front().size() != reading.size()) kept_.clear();  // another touchpad
-  kept_.push_back(reading);
+  turns_.assign(reading.size(), 0.0);
+  for (std::size_t c = 0; c < std::min(wanted.size(), reading.size()); ++c) {
+    turns_[c] = wanted[c].turn;
+    if (turns_[c] <= 0.0 || kept_.empty()) continue;
+    const double last = kept_.back()[c];
+    reading[c] = last + std::remainder(reading[c] - last, turns_[c]);
+  }
+  kept_.push_back(std::move(reading));
   while (static_cast<int>(kept_.size()) > wanted_) kept_.pop_front();
 }
 
@@ -28,10 +35,16 @@ std::vector<double> CalibrationAverage::meanOf(std::size_t from, std::size_t to)
   return out;
 }
 
-std::vector<double> CalibrationAverage::mean() const { return meanOf(0, kept_.size()); }
+std::vector<double> CalibrationAverage::mean() const {
+  std::vector<double> out = meanOf(0, kept_.size());
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    if (turns_[c] > 0.0) out[c] -= turns_[c] * std::floor(out[c] / turns_[c]);
+  }
+  return out;
+}
 
 std::vector<double> CalibrationAverage::spread() const {
-  const std::vector<double> middle = mean();
+  const std::vector<double> middle = meanOf(0, kept_.size());
   std::vector<double> out(middle.size(), 0.0);
   if (kept_.size() < 2) return out;
   for (std::size_t c = 0; c < out.size(); ++c) {

@@ -22,7 +22,7 @@ class EncoderStep : public CalibrationStep {
   QString id() const override { return QStringLiteral("encoders"); }
   std::string procedure() const override { return "encoders"; }
   std::string_view errorLimit() const override { return "calibration.encoder_held_out_deg"; }
-  int readings() const override { return 1; }
+  int readings() const override { return 2; }  // two, so that a motor on its way to where it was sent is seen to move
   int readingColumn() const override { return 1; }
   Motion motion() const override { return Motion::sweep; }
   QString instruction(const std::vector<CalibrationPoint>& points) const override {
@@ -41,7 +41,8 @@ class EncoderStep : public CalibrationStep {
   }
   std::vector<CalibrationSignal> signalsWanted(const station::Profile&) const override {
     constexpr double kMoving_counts = 12.0;  // 1°
-    return {{tr("Encoder 1"), tr("counts"), 0, kMoving_counts}, {tr("Encoder 2"), tr("counts"), 0, kMoving_counts}};
+    return {{tr("Encoder 1"), tr("counts"), 0, kMoving_counts, kTurn_counts},
+            {tr("Encoder 2"), tr("counts"), 0, kMoving_counts, kTurn_counts}};
   }
   Result<std::vector<double>> read(const CalibrationScene& scene) const override {
     std::vector<double> out;

@@ -39,6 +39,7 @@ struct CalibrationSignal {
   QString unit;
   int decimals = 3;
   double largest_spread = 0.0;  ///< standard deviation beyond which it counts as moving
+  double turn = 0.0;            ///< from here on it counts from 0 again; 0: it does not
 };
 
 /// A point's figures, in the order of `columns`.

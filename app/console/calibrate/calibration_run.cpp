@@ -132,7 +132,7 @@ Result<std::vector<double>> CalibrationRun::read(const Picks& picks) {
   finger_ = context_.session.cameraView().finger;
   auto reading = step().read(scene(picks));
   if (reading) {
-    recent_.add(*reading);
+    recent_.add(*reading, step().signalsWanted(profile_));
     return reading;
   }
   restartReadings();
@@ -143,9 +143,10 @@ Result<std::vector<double>> CalibrationRun::read(const Picks& picks) {
 void CalibrationRun::advance(const Picks& picks, const std::vector<double>& reading) {
   if (step().motion() != CalibrationStep::Motion::none) takeByItself(picks);
   if (!taking_now_) return;
-  taking_.add(reading);
+  const auto wanted = step().signalsWanted(profile_);
+  taking_.add(reading, wanted);
   if (!taking_.full()) return;
-  const QString moves = taking_.moving(step().signalsWanted(profile_));
+  const QString moves = taking_.moving(wanted);
   if (moves.isEmpty()) {
     takePoint();
   } else {
@@ -196,7 +197,7 @@ void CalibrationRun::startPoint(const Picks& picks, const Entered& entered) {
   }
   taking_.restart(step().readings());
   if (step().readings() == 1) {
-    taking_.add(*reading);
+    taking_.add(*reading, step().signalsWanted(profile_));
     takePoint();
     return;
   }

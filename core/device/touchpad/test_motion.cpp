@@ -113,7 +113,7 @@ std::array<double, control::kMotorCount> TestMotion::anglesAt(Duration since_sta
 }
 
 bool TestMotion::restsAt(Duration since_start) const {
-  return since_start >= fromSeconds(kSettled_s) &&
+  return since_start >= fromSeconds(kRestBefore_s + kSettled_s) &&
          anglesAt(since_start) == anglesAt(since_start - fromSeconds(kSettled_s));
 }
 

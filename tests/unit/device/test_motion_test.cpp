@@ -95,6 +95,7 @@ TEST(TestMotion, StretchGoesThereSlowlyFromWhereverTheMotorsStandAndWaits) {
 TEST(TestMotion, ASweepClimbsByStepsAndComesBackAndNeedsNoEncoder) {
   const auto motion = TestMotion::plan(DeviceTest::sweep, {std::nan(""), 170.0}, 120.0);
   ASSERT_TRUE(motion);
+  EXPECT_FALSE(motion->restsAt(ms(590))) << "the drive is still switching on";
   std::vector<double> rests;
   for (Duration t{}; t < motion->length(); t += ms(1)) {
     const auto angles = motion->anglesAt(t);
