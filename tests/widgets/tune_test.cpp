@@ -421,7 +421,11 @@ class TuneTest : public QObject {
     QVERIFY2(row->questionBox()->words().contains(QStringLiteral("on any touchpad")),
              qPrintable(row->questionBox()->words()));
     const widgets::TuningRow* other = f.window->operate()->tuning()->row(QStringLiteral("control.kp"));
-    QVERIFY(other->questionBox() != nullptr);  // the same question in the other place
+    QVERIFY(other->questionBox() != nullptr);              // the same question in the other place
+    emit f.model().changed(QStringLiteral("control.kp"));  // as Ctrl+S: what is asked about still stands there
+    QVERIFY(row->questionBox()->isVisible());
+    QCOMPARE(row->field()->text(), QStringLiteral("20"));
+    QCOMPARE(other->field()->text(), QStringLiteral("20"));
     QTest::keyClick(row->questionBox()->leaveButton(), Qt::Key_Return);
     QCOMPARE(f.used("control.kp"), 6.0);
     QVERIFY(f.page->response()->plot()->hasFocus());

@@ -259,16 +259,7 @@ void TuningRow::showQuestion() {
     auto& grid = static_cast<QGridLayout&>(*layout());
     grid.addWidget(question_, grid.rowCount(), 1, 1, grid.columnCount() - 1);
   }
-  if (field_ != nullptr) {
-    const QSignalBlocker quiet(slider_);
-    slider_->setValue(toPosition(question->value));
-    field_->setText(plainNumber(question->value));
-    field_->setModified(false);
-    markRefused(false);
-  } else {
-    const QSignalBlocker quiet(choice_);
-    choice_->setCurrentIndex(static_cast<int>(question->value));
-  }
+  refresh();
   question_->showQuestion(question->words);
 }
 
@@ -282,15 +273,17 @@ void TuningRow::refresh() {
   const TunedParameter& p = parameter();
   const double felt = model_.felt(p);
   const bool free = !model_.feelingSaved();
+  const auto& question = model_.question();
+  const double shown = question && question->id == id_ ? question->value : felt;  // what is asked about stands there
   if (choice_ != nullptr) {
     const QSignalBlocker quiet(choice_);
-    choice_->setCurrentIndex(static_cast<int>(felt));
+    choice_->setCurrentIndex(static_cast<int>(shown));
     choice_->setEnabled(free);
   } else {
     const QSignalBlocker quiet(slider_);
-    slider_->setValue(toPosition(felt));
+    slider_->setValue(toPosition(shown));
     slider_->setEnabled(free);
-    field_->setText(plainNumber(felt));
+    field_->setText(plainNumber(shown));
     field_->setModified(false);
     field_->setEnabled(free);
     markRefused(false);

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 
 #include "widgets/basics/hold_button.h"
 
@@ -33,6 +34,12 @@ bool KeyGuard::eventFilter(QObject* watched, QEvent* event) {
     const auto& key = *static_cast<QKeyEvent*>(event);
     if (key.key() == Qt::Key_Space && !key.isAutoRepeat()) space_released_ = key.timestamp();
   } else if (event->type() == QEvent::ShortcutOverride) {
+    // Ctrl+U is the window's own where it has a use; QLineEdit would empty itself.
+    if (qobject_cast<QLineEdit*>(watched) != nullptr &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::DeleteCompleteLine)) {
+      event->ignore();
+      return true;
+    }
     const bool control =
         qobject_cast<QAbstractButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr;
     if (control && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) event->accept();
