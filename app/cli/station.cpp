@@ -1,5 +1,6 @@
 // fyd station …
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <thread>
@@ -234,10 +235,13 @@ void runStation(const StationOptions& options) {
   station->shutDown();
   if (options.station.record) {
     const recording::RecorderStatus recorded = station->recorderStatus();
-    if (recorded.state == recording::RecorderState::failed) throw Failure(say("recording: {}", recorded.problem));
-    // The recording is closed by now; a failed catalogue entry is only a warning.
-    const auto entered = catalogue::catalogueRecording(options.catalogue, options.station.record->path);
-    if (!entered) spdlog::warn("catalogue: {}", entered.error().text());
+    const bool failed = recorded.state == recording::RecorderState::failed;
+    // The recording is closed by now, on a disk that got full as well; a failed catalogue entry is only a warning.
+    if (std::error_code none; !failed || std::filesystem::exists(options.station.record->path, none)) {
+      const auto entered = catalogue::catalogueRecording(options.catalogue, options.station.record->path);
+      if (!entered) spdlog::warn("catalogue: {}", entered.error().text());
+    }
+    if (failed) throw Failure(say("recording: {}", recorded.problem));
   }
   if (csv) csv->close();
 }

@@ -108,12 +108,14 @@ class Station(Case):
         limit = 12_000_000
         self.recording = self.path("session.h5")
         done = subprocess.run([fyd.PROGRAM, "station", "--simulate", "--duration", "16", "--record", self.recording,
-                               "--set", "session.smallest_free_MB=10"],
+                               "--set", "session.smallest_free_MB=10", "--catalogue", "sqlite:" + self.path("c.sqlite")],
                               capture_output=True, text=True, check=False, timeout=MOST_WAIT_s,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("is whole up to here", done.stderr)
         self.expect_whole()
+        listed = self.json("session", "list", "--catalogue", "sqlite:" + self.path("c.sqlite"), "--json")["sessions"]
+        self.assertEqual([os.path.basename(each["path"]) for each in listed], ["session.h5"])
 
     def test_a_file_that_may_not_grow_is_an_error_in_words(self):
         limit = 500_000

@@ -1,5 +1,7 @@
 // Recording from the window: the journey from Ctrl+R to a closed file, entries that cannot be taken, notes and markers,
 // and what is told when something goes wrong.
+#include "core/catalogue/catalogue.h"
+#include "tests/widgets/reviewing.h"
 #include "tests/widgets/scripted_session.h"
 #include "tests/widgets/suite.h"
 
@@ -207,6 +209,23 @@ class RecordingTest : public QObject {
     f.press(f.form->stopButton());
     QVERIFY2(said().size() == 1 && said()[0].startsWith(QStringLiteral("Recording closed: ")),
              qPrintable(said().join(QLatin1Char('|'))));
+  }
+
+  void aRecordingThatEndedWholeBecauseTheDiskGotFullIsInTheCatalogue() {
+    RecordingFixture f;
+    f.press(f.form->startButton());
+    const QString closed = makeRecording(f.folder, QStringLiteral("full.h5"));
+    QSignalSpy catalogued(f.window->recording(), &console::RecordingControl::catalogued);
+    f.session->recorder = {
+        .state = RecorderState::failed, .path = closed.toStdString(), .problem = say("whole up to here")};
+    f.window->feed().pump();
+    WAIT_EQUAL(catalogued.count(), 1);
+    f.window->feed().pump();
+    const auto entries = catalogue::Catalogue::open("").and_then(
+        [](const catalogue::Catalogue& catalogue) { return catalogue.search({}); });
+    QVERIFY(entries.has_value());
+    const std::string file = QFileInfo(closed).canonicalFilePath().toStdString();
+    QVERIFY(std::ranges::any_of(*entries, [&](const auto& each) { return each.path == file; }));
   }
 
   void entriesThatCannotBeTakenAreMarkedAndSaidInWords() {

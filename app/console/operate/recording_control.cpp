@@ -216,6 +216,7 @@ void RecordingControl::take(const recording::RecorderStatus& status) {
     context_.over(kMark);
     context_.tell_about(kRecording, Severity::error, tr("Recording failed. %1").arg(view.problem));
     form_->suggest();
+    enterIntoCatalogue(text(status.path));  // on a disk that gets full the file is closed whole
   }
   if (status.lost > 0 && former.lost == 0) {
     context_.tell(
