@@ -14,8 +14,8 @@ SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's own, which has Debian's h5py
 COMMIT_ROWS = 40  # where a commit's counts of rows begin
 
 
-def places(file, table):
-    return json.loads(subprocess.run([SYSTEM_PYTHON, PLACES, file, table], capture_output=True, check=True).stdout)
+def places(file, *table):
+    return json.loads(subprocess.run([SYSTEM_PYTHON, PLACES, file, *table], capture_output=True, check=True).stdout)
 
 
 def turn_bit(file, byte, bit):
@@ -90,6 +90,33 @@ class Damage(fyd.Case):
         self.assertEqual((exported["health"], exported["health_reason"]), (info["health"], info["health_reason"]))
         with open(self.path("left.csv"), encoding="utf-8") as file:
             self.assertEqual(sum(1 for _ in csv.DictReader(file)), self.samples - behind)
+
+    def test_a_table_that_cannot_be_opened_costs_no_step_and_no_other_table(self):
+        headers = places(self.file)
+        self.assertGreater(len(headers), 15)
+        needed = {"telemetry", "commits"}  # without these nothing is proven
+        tried = 0
+        for table, byte in headers.items():
+            with self.subTest(table=table):
+                shutil.copy(self.good, self.file)
+                turn_bit(self.file, byte + 12, 2)  # HDF5 proves the header of a table by a checksum, and opens it no more
+                self.assertEqual(fyd.run("session", "verify", self.file).returncode, 1)
+                if table in needed:
+                    self.assertEqual(fyd.run("session", "recover", self.file).returncode, 1)
+                    continue
+                if fyd.run("session", "info", self.file).returncode == 0:
+                    continue
+                tried += 1
+                remade = table.startswith("overview/")  # what is shown from far away
+                done = fyd.run("session", "recover", self.file, "--json")
+                self.assertIn(done.returncode, (0,) if remade else (0, 3), done.stdout + done.stderr)
+                said = json.loads(done.stdout)
+                self.assertEqual((said["samples"], said["lost_samples"]), (self.samples, 0))
+                self.assertTrue(self.said("verify", 0)["intact"])
+                if remade:
+                    self.assertTrue(self.said("replay", 0)["identical"])
+                os.remove(self.file + ".damaged")
+        self.assertGreater(tried, 12)
 
     def test_a_turned_bit_in_a_table_of_one_row_costs_no_step(self):
         rows = places(self.file, "inputs/motor_reference")["rows"]

@@ -51,7 +51,7 @@ std::unique_lock<FairMutex> hdf5Lock() {
 }
 
 Handle::Handle(hid_t id, Closer closer, const char* what) : id_(id), closer_(closer) {
-  if (id < 0) failHard(about(what, verbatim(reason())));
+  if (id < 0) throw Hdf5Failure(about(what, verbatim(reason())));
 }
 
 Handle& Handle::operator=(Handle&& other) noexcept {
@@ -67,7 +67,7 @@ void Handle::reset() {
 }
 
 void check(herr_t status, const char* what) {
-  if (status < 0) failHard(about(what, verbatim(reason())));
+  if (status < 0) throw Hdf5Failure(about(what, verbatim(reason())));
 }
 
 Handle textType(std::size_t bytes) {

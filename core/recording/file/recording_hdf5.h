@@ -47,6 +47,11 @@ struct RecordingFailure : std::exception {
   Message message;
 };
 
+/// HDF5 itself cannot, as where a checksum of its own is wrong.
+struct Hdf5Failure : RecordingFailure {
+  using RecordingFailure::RecordingFailure;
+};
+
 template <class... Args>
 [[noreturn]] void failHard(MessageFormat<Args...> format, Args&&... args) {
   throw RecordingFailure(say<Args...>(format, std::forward<Args>(args)...));

@@ -24,7 +24,7 @@ class Hdf5Recording final : public DamagedRecording {
     info_.header = damaged_header ? salvageHeader(source_->file()) : readHeader(source_->file());
     missing_.emplace(info_.header.missing);
     indices_.emplace(info_.header);
-    tables_.emplace(source_->file(), source_->growing());
+    tables_.emplace(source_->file(), source_->growing(), damaged_header);
     look();
   }
   ~Hdf5Recording() override {

@@ -36,13 +36,19 @@ std::uint64_t keyOf(std::size_t table, std::uint64_t first_commit) { return firs
 
 }  // namespace
 
-RecordingTables::RecordingTables(hid_t file, bool growing) : growing_(growing) {
+RecordingTables::RecordingTables(hid_t file, bool growing, bool damaged) : growing_(growing) {
   commit_table_ = Hdf5Table::open(file, commitLayout());
   const Column* counts = commit_table_.column("rows");
   if (counts == nullptr) failHard("{}: does not count the tables' rows", commitLayout().path);
   // A table that the file's commits do not count is newer than the file.
-  for (std::size_t i = 0; i < std::min(kTableCount, counts->count); ++i)
-    tables_[i] = Hdf5Table::open(file, layoutOf(static_cast<Table>(i)));
+  for (std::size_t i = 0; i < std::min(kTableCount, counts->count); ++i) {
+    try {
+      tables_[i] = Hdf5Table::open(file, layoutOf(static_cast<Table>(i)));
+    } catch (const Hdf5Failure& failure) {
+      if (!damaged || growing || static_cast<Table>(i) == Table::telemetry) throw;
+      unopened_[i] = failure.message;
+    }
+  }
   if (growing_ && findLast()) return;
   if (commit_table_.rows() == 0 || growing_)
     failHard("no commit in it can be trusted: nothing was ever completely written");
@@ -52,7 +58,8 @@ RecordingTables::RecordingTables(hid_t file, bool growing) : growing_(growing) {
 void RecordingTables::lookAtCommits() {
   commit_count_ = commit_table_.rows();
   std::array<std::uint64_t, kTableCount> in_file{};
-  for (std::size_t i = 0; i < kTableCount; ++i) in_file[i] = tables_[i].rows();
+  for (std::size_t i = 0; i < kTableCount; ++i)
+    in_file[i] = unopened_[i].empty() ? tables_[i].rows() : std::numeric_limits<std::uint64_t>::max();
   CommitMender mender([this](Table table) -> const Hdf5Table& { return tables_[indexOf(table)]; });
   last_.latest_ns = std::numeric_limits<std::int64_t>::min();
   const auto sound = [&](std::uint64_t number) -> std::optional<CommitRow> {
@@ -131,7 +138,7 @@ std::vector<std::string> RecordingTables::missingColumns() const {
   std::vector<std::string> out;
   for (std::size_t i = 0; i < kTableCount; ++i) {
     const char* path = layoutOf(static_cast<Table>(i)).path;
-    if (!tables_[i].isOpen()) out.emplace_back(path);
+    if (!has(static_cast<Table>(i))) out.emplace_back(path);
     for (const std::string& name : tables_[i].conversion().lacking()) out.push_back(fmt::format("{} {}", path, name));
   }
   return out;
@@ -220,6 +227,7 @@ std::uint64_t RecordingTables::commitOf(Table table, std::uint64_t row) const {
 std::shared_ptr<const RecordingBlock> RecordingTables::load(Table table, std::uint64_t first_commit,
                                                             std::uint64_t end_commit) const {
   const std::size_t i = indexOf(table);
+  if (!unopened_[i].empty()) throw RecordingFailure{unopened_[i]};
   const std::size_t row_bytes = tables_[i].rowBytes();
   const std::size_t largest = std::max(row_bytes, layoutOf(table).row_bytes);
   auto block = std::make_shared<RecordingBlock>();

@@ -27,7 +27,8 @@ struct RecordingBlock {
 class RecordingTables {
  public:
   /// @param growing a recorder is running: uncommitted rows are no damage
-  RecordingTables(hid_t file, bool growing);
+  /// @param damaged a table that HDF5 cannot open is one whose every row is unreadable, but for the telemetry's
+  RecordingTables(hid_t file, bool growing, bool damaged = false);
 
   /// Takes in what was committed since. @return whether there was news
   bool refresh();
@@ -37,7 +38,9 @@ class RecordingTables {
   [[nodiscard]] const CommitRow& last() const { return last_; }
   [[nodiscard]] std::uint64_t rows(Table table) const { return last_.rows[indexOf(table)]; }
   /// Rows in the file, committed or not.
-  [[nodiscard]] std::uint64_t present(Table table) const { return tables_[indexOf(table)].rows(); }
+  [[nodiscard]] std::uint64_t present(Table table) const {
+    return unopened_[indexOf(table)].empty() ? tables_[indexOf(table)].rows() : rows(table);
+  }
   [[nodiscard]] CommitRow commit(std::uint64_t number) const;
   /// Numbers of the commit rows that are damaged, rising; none while it grows.
   [[nodiscard]] const std::vector<std::uint64_t>& damagedCommits() const { return damaged_; }
@@ -61,7 +64,9 @@ class RecordingTables {
     return out;
   }
   /// false: it was recorded before there was this table.
-  [[nodiscard]] bool has(Table table) const { return tables_[indexOf(table)].isOpen(); }
+  [[nodiscard]] bool has(Table table) const {
+    return tables_[indexOf(table)].isOpen() || !unopened_[indexOf(table)].empty();
+  }
   /// Columns, with their tables, that this program has and the file has not, and the other way round.
   [[nodiscard]] std::vector<std::string> missingColumns() const;
   [[nodiscard]] std::vector<std::string> unknownColumns() const;
@@ -86,6 +91,7 @@ class RecordingTables {
   void lookAtCommits();
 
   std::array<Hdf5Table, kTableCount> tables_;
+  std::array<Message, kTableCount> unopened_;  ///< why a table cannot be opened; empty: it is open, or not there
   Hdf5Table commit_table_;
   std::uint64_t commit_count_ = 0;
   CommitRow last_;
