@@ -155,7 +155,8 @@ def page_faults(page, english_page, words):
     if not re.fullmatch(STAMP % "[0-9a-f]{16}", first):
         yield f"the first line is {first!r}; expected {expected!r}"
     elif first != expected:
-        yield (f"{english_page.name} has changed since this was translated: see git log -p {english_page.name}, mend the"
+        yield (f"{english_page.name} has changed since this was translated: see git log -p"
+                f" resources/manual/{english_page.name}, mend the"
                f" translation, then run: python3 tests/translations/manual.py stamp {page.parent.name}/{page.name}")
     english, translated = sections(read(english_page)), sections(text)
     for own, other in zip(english, translated):

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -17,6 +18,7 @@ enum class PredictorChoice : std::uint8_t { order0, order1, hybrid, kalman, ar, 
 /// "default" stands for the experts.
 inline constexpr std::array<std::string_view, 6> kPredictorNames = {"order0", "order1", "hybrid",
                                                                     "kalman", "ar",     "default"};
+static_assert(kPredictorNames.size() == static_cast<std::size_t>(PredictorChoice::experts) + 1, "a name for each");
 
 class StrokeWeights;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -66,7 +67,9 @@ class DeviceRig {
     options.profile.device.stuck_sensor_s = 1.0;
     options.profile.device.serial_by_id = by_id_;
     choose(options);
-    station = std::move(Station::open(options).value());
+    auto opened = Station::open(options);
+    if (!opened) throw std::runtime_error(opened.error().text());
+    station = std::move(*opened);
     station->start();
   }
   ~DeviceRig() {

@@ -89,7 +89,8 @@ TEST(OrientationPredictor, EveryPredictorIsOfUseWhereAnglesFail) {
   for (const Motion& motion : {kNod, kWobble}) {
     for (const double delay_s : {0.01, 0.05}) {
       const Errors hold = run("order0", motion, delay_s);
-      for (const std::string_view name : {"order1", "hybrid", "kalman", "ar", "default"}) {
+      for (const std::string_view name : kPredictorNames) {
+        if (name == "order0") continue;
         const Errors each = run(name, motion, delay_s);
 
         EXPECT_LT(each.rms, 0.6 * hold.rms) << name << ", " << delay_s;

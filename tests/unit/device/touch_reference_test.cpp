@@ -110,7 +110,7 @@ TEST(TouchReference, LeadsToWhereTheFingerWillBeWhenTheArmGetsThere) {
 }
 
 TEST(TouchReference, TheTargetIsContinuousUnderLossDuplicatesAndSilence) {
-  for (const char* name : {"order0", "order1", "hybrid", "kalman", "ar", "default"}) {
+  for (const std::string_view name : teleop::kPredictorNames) {
     std::mt19937 random(7);
     Wire wire(settingsOf(std::string(name).c_str()));
     wire.copies = [&](double t_s) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -38,6 +39,22 @@ TEST(MakePredictor, ANumberOfAxesBeyondItsRangeCountsAsTheNearest) {
     }
   }
   EXPECT_NE(makePredictor(static_cast<PredictorChoice>(200), {}), nullptr);
+}
+
+/// One without its line in makePredictor would be the experts.
+TEST(MakePredictor, NoTwoNamesPredictAlike) {
+  std::map<std::vector<double>, std::string_view> ways;
+  for (const std::string_view name : kPredictorNames) {
+    const auto predictor = named(name);
+    std::vector<double> way;
+    for (int i = 0; i < 400; ++i) {
+      const double t_s = 0.01 * i;
+      predictor->message(t_s, {30.0 * std::sin(5.0 * t_s) + 4.0 * std::sin(31.0 * t_s * t_s), 0.0, 0.0});
+      way.push_back(predictor->predict(t_s + 0.05)[0]);
+    }
+    const auto [other, is_new] = ways.emplace(std::move(way), name);
+    EXPECT_TRUE(is_new) << name << " is " << other->second;
+  }
 }
 
 Trace traceOf(double seconds, double rate_Hz, const std::function<double(double)>& x, double start_s = 0.0) {
