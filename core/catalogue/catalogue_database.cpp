@@ -139,12 +139,17 @@ Error CatalogueDatabase::explained(const std::exception& error) {
     }
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB: {
+      if (path == pendingPath()) {
+        return {
+            say("{}: what waits for catalogues is damaged ({}); the recordings are not touched by that. Move the file "
+                "away, then `fyd session list --rebuild FOLDER` for each catalogue reads the recordings again",
+                path, verbatim(what))};
+      }
       if (sqliteCode(error) == SQLITE_NOTADB && !wasCatalogue(path)) return noCatalogue(path).value();
-      const bool unnamed = isDefault(word_) || path == pendingPath();  // what waits is no catalogue to name
       return {
           say("{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list "
               "--rebuild FOLDER{}` moves the file aside and reads the recordings again",
-              path, verbatim(what), unnamed ? "" : fmt::format(" --catalogue 'sqlite:{}'", path))};
+              path, verbatim(what), isDefault(word_) ? "" : fmt::format(" --catalogue 'sqlite:{}'", path))};
     }
     case SQLITE_FULL: return {say("{}: the disk is full; nothing of this change was kept", path)};
     case SQLITE_READONLY:

@@ -510,6 +510,10 @@
         <translation>Glisser dans l’image déplace le point haptique au lieu de tourner la scène ; molette ou Maj : plus près ou plus loin. Sans ce bouton : Ctrl et glisser.</translation>
     </message>
     <message>
+        <source>A held button moves the motors: %1.</source>
+        <translation>Un bouton maintenu fait tourner les moteurs : %1.</translation>
+    </message>
+    <message>
         <source>A motor goes 2° out and back; the vibration lasts half a second.</source>
         <translation>Un moteur avance de 2° et revient ; la vibration dure une demi-seconde.</translation>
     </message>
@@ -2712,6 +2716,10 @@ s</translation>
     <message>
         <source>Let go, type the next stretch, hold the button and press to three depths again.</source>
         <translation>Relâcher, saisir l'étirement suivant, tenir le bouton et presser de nouveau à trois profondeurs.</translation>
+    </message>
+    <message>
+        <source>Letting go or Esc switches them off.</source>
+        <translation>Le lâcher ou Esc les coupe.</translation>
     </message>
     <message>
         <source>Light theme</source>
@@ -10048,6 +10056,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: was left behind by a crash; `fyd session recover` makes it whole first</source>
         <translation>{} : laissé par un arrêt brutal ; `fyd session recover` le rend d'abord entier</translation>
+    </message>
+    <message>
+        <source>{}: what waits for catalogues is damaged ({}); the recordings are not touched by that. Move the file away, then `fyd session list --rebuild FOLDER` for each catalogue reads the recordings again</source>
+        <translation>{} : ce qui attend les catalogues est endommagé ({}) ; les enregistrements n'en sont pas touchés. Déplacer le fichier, puis `fyd session list --rebuild FOLDER` pour chaque catalogue relit les enregistrements</translation>
     </message>
     <message>
         <source>{}: without a column t_s the sample rate must be given</source>

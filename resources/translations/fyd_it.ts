@@ -510,6 +510,10 @@
         <translation>Trascinando nell’immagine si muove il punto aptico invece di girare la scena; rotella o Maiusc: più vicino o più lontano. Senza questo pulsante: Ctrl e trascinare.</translation>
     </message>
     <message>
+        <source>A held button moves the motors: %1.</source>
+        <translation>Un pulsante tenuto premuto muove i motori: %1.</translation>
+    </message>
+    <message>
         <source>A motor goes 2° out and back; the vibration lasts half a second.</source>
         <translation>Un motore va avanti di 2° e torna; la vibrazione dura mezzo secondo.</translation>
     </message>
@@ -2712,6 +2716,10 @@ s</translation>
     <message>
         <source>Let go, type the next stretch, hold the button and press to three depths again.</source>
         <translation>Rilasciare, scrivere la tensione seguente, tenere il pulsante e premere di nuovo a tre profondità.</translation>
+    </message>
+    <message>
+        <source>Letting go or Esc switches them off.</source>
+        <translation>Lasciarlo o premere Esc li spegne.</translation>
     </message>
     <message>
         <source>Light theme</source>
@@ -10048,6 +10056,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: was left behind by a crash; `fyd session recover` makes it whole first</source>
         <translation>{}: lasciata indietro da un arresto improvviso; prima `fyd session recover` la rende intera</translation>
+    </message>
+    <message>
+        <source>{}: what waits for catalogues is damaged ({}); the recordings are not touched by that. Move the file away, then `fyd session list --rebuild FOLDER` for each catalogue reads the recordings again</source>
+        <translation>{}: ciò che attende i cataloghi è danneggiato ({}); le registrazioni non ne sono toccate. Spostare via il file, poi `fyd session list --rebuild FOLDER` per ogni catalogo rilegge le registrazioni</translation>
     </message>
     <message>
         <source>{}: without a column t_s the sample rate must be given</source>

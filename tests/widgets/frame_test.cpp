@@ -191,7 +191,7 @@ class FrameTest : public QObject {
       return QStringLiteral("%1,%2 %3x%4").arg(rect.x()).arg(rect.y()).arg(rect.width()).arg(rect.height());
     };
     const widgets::StateBar* bar = f.window->stateBar();
-    for (const QSize size : {QSize(1280, 720), QSize(960, 540), QSize(1600, 1000), QSize(3840, 2160)}) {
+    for (const QSize size : {QSize(1280, 720), QSize(960, 540), QSize(640, 480), QSize(1600, 1000), QSize(3840, 2160)}) {
       f.window->resize(size);
       for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();  // the bar gets narrow, then its layout follows
       QCOMPARE(f.window->size(), size);                               // no place, panel or word needs more
@@ -473,6 +473,12 @@ class FrameTest : public QObject {
     QTest::mousePress(button, Qt::LeftButton);
     WAIT_EQUAL(f.session->tests.size(), std::size_t{1});
     QCOMPARE(f.session->tests[0], device::DeviceTest::motor_2);
+    // The state bar says so, and nothing of motors that are off.
+    f.session->say(SafetyState::ready);
+    f.window->feed().pump();
+    QCOMPARE(f.window->stateBar()->stateWord(), QStringLiteral("Ready"));
+    QCOMPARE(f.window->stateBar()->stateReason(),
+             QStringLiteral("A held button moves the motors: motor 2. Letting go or Esc switches them off."));
     const int keeps = f.session->keeps;
     WAIT_FOR(f.session->keeps > keeps + 2);
     f.session->test_status.progress = 0.4;

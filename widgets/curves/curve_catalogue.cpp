@@ -11,7 +11,7 @@ using enum Quantity;
 
 // In the order of CurveChannel. A quantity without its own colour uses the text's, in its own strip.
 constexpr std::array<CurveQuantity, kNamedCurves> kNamed = {{
-    {.field = "force_N", .word = "", .quantity = force},
+    {.field = "force_N", .word = "", .quantity = force, .age = &pipeline::TelemetrySample::bridge_age_ms},
     {.field = "indentation_mm", .word = "", .quantity = indentation},
     {.field = "stiffness_N_per_mm", .word = "", .quantity = stiffness},
     {.field = "target_N_per_mm",
@@ -38,8 +38,11 @@ constexpr std::array<CurveQuantity, kNamedCurves> kNamed = {{
      .word = QT_TRANSLATE_NOOP("Curves", "reference"),
      .stroke = Stroke::dashed,
      .decimals = 1},
-    {.field = "stretch_measured_deg", .word = QT_TRANSLATE_NOOP("Curves", "measured"), .decimals = 1},
-    {.field = "translation_measured_deg", .word = "", .decimals = 1},
+    {.field = "stretch_measured_deg",
+     .word = QT_TRANSLATE_NOOP("Curves", "measured"),
+     .decimals = 1,
+     .age = &pipeline::TelemetrySample::motors_age_ms},
+    {.field = "translation_measured_deg", .word = "", .decimals = 1, .age = &pipeline::TelemetrySample::motors_age_ms},
     {.field = "finger_x_mm", .word = "x", .decimals = 1},
     {.field = "finger_y_mm", .word = "y", .decimals = 1},
     {.field = "finger_area_px", .word = "", .decimals = 0},

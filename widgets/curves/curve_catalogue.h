@@ -19,6 +19,8 @@ struct CurveQuantity {
   Stroke stroke = Stroke::solid;
   int decimals = 2;
   bool numeral = true;  ///< false: only a line
+  /// Age of the touchpad's reading that it repeats, of one that says nothing itself of its age.
+  double pipeline::TelemetrySample::*age = nullptr;
 };
 
 /// The channels of a curve source, in their order.

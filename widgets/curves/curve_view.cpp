@@ -20,6 +20,7 @@ constexpr double kSpans_s[] = {5, 10, 30, 60};
 /// A little above each sensor's sampling interval.
 constexpr double kUsualBridgeAge_ms = 50, kUsualIrAge_ms = 50, kUsualRobotAge_ms = 60;
 constexpr qint64 kSilence_ms = 300;
+constexpr double kGone_ms = 300;  // a reading that old is drawn no more
 
 QString agedNote(double age_ms, double usual_ms) {
   return std::isfinite(age_ms) && age_ms > usual_ms ? CurveView::tr("%1 old").arg(ageText(age_ms)) : QString();
@@ -117,7 +118,9 @@ void CurveView::append(std::span<const pipeline::TelemetrySample> samples) {
     any_ = true;
     std::array<float, kCurveChannels> stored{};
     for (std::size_t c = 0; c < kCurveChannels; ++c) {
-      const double value = fields[curveFields()[c]].read(s);
+      const auto age = curveQuantities()[c].age;
+      const bool gone = age != nullptr && s.*age > kGone_ms;
+      const double value = gone ? std::numeric_limits<double>::quiet_NaN() : fields[curveFields()[c]].read(s);
       stored[c] = static_cast<float>(value);
       recent_[c].add(value);
     }
@@ -159,8 +162,10 @@ QString CurveView::noteOf(const QString& strip) const {
   if (strip == QLatin1String("indentation")) return agedNote(newest_.ir_age_ms, kUsualIrAge_ms);
   if (strip == QLatin1String("acceleration")) return agedNote(newest_.robot_age_ms, kUsualRobotAge_ms);
   if (strip != QLatin1String("stiffness")) return {};
-  const bool held_value = std::isfinite(newest_.stiffness_N_per_mm) && !newest_.stiffness_observable;
-  return newest_.target_clamped ? tr("target limited") : held_value ? tr("last touch") : QString();
+  QStringList words;
+  if (std::isfinite(newest_.stiffness_N_per_mm) && !newest_.stiffness_observable) words << tr("last touch");
+  if (newest_.target_clamped) words << tr("target limited");
+  return words.join(QStringLiteral(", "));
 }
 
 void CurveView::refreshNumerals() {

@@ -23,21 +23,24 @@ RecordButton::RecordButton(QWidget* parent) : QPushButton(parent) {
   setObjectName(QStringLiteral("record_button"));
   setAutoDefault(false);
   setFont(textFont(TextSize::small));
-  setCompact(false);
+  setSize(Size::full);
   connect(&Look::instance(), &Look::changed, this, &RecordButton::refresh);
   refresh();
 }
 
-void RecordButton::setCompact(bool compact) {
+void RecordButton::setSize(Size size) {
   // As wide as its longest usual line, so that nothing moves while it counts.
   const QStringList usual = recordingText(clockText(359'999.0), bytesText(888'800'000), kLong_min);
   const QStringList failed = failedText();
+  const QStringList lines = size == Size::full   ? usual + failed
+                            : size == Size::line ? QStringList{usual[0]}
+                                                 : QStringList();
   int width = 0;
-  for (const QString& line : compact ? QStringList{usual[0]} : usual + failed) {
+  for (const QString& line : lines) {
     width = std::max(width, QFontMetrics(font()).horizontalAdvance(line));
   }
   setFixedWidth(width + 6 * kGrid);
-  compact_ = compact;
+  size_ = size;
   refresh();
 }
 
@@ -74,7 +77,9 @@ void RecordButton::refresh() {
     setProperty("role", role);
     restyle(*this);
   }
-  const QString shown = compact_ ? text.section(QLatin1Char('\n'), 0, 0) : text;
+  const QString shown = size_ == Size::full   ? text
+                        : size_ == Size::line ? text.section(QLatin1Char('\n'), 0, 0)
+                                              : QString();
   if (this->text() == shown && accessible_ == text) return;
   accessible_ = text;
   setText(shown);

@@ -13,13 +13,14 @@ class RecordButton : public QPushButton {
  public:
   explicit RecordButton(QWidget* parent = nullptr);
   void setRecording(const RecordingView& view);
-  /// The first line only, in a narrow bar; the tool tip has both.
-  void setCompact(bool compact);
+  enum class Size { full, line, sign };
+  /// In a narrow bar its first line only, or its sign; the tool tip has both lines.
+  void setSize(Size size);
 
  private:
   void refresh();
   RecordingView view_;
-  bool compact_ = false;
+  Size size_ = Size::full;
   QString accessible_;  ///< both lines
 };
 

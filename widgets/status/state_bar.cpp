@@ -144,13 +144,28 @@ void StateBar::build() {
   reason->addWidget(why_, 1);
   layout->addLayout(reason);
   layout->addWidget(parts_);
-  setNarrow(true);
-  setMinimumWidth(minimumSizeHint().width());  // whatever it shows in a wide window
-  setNarrow(false);
+  const auto needed = [this](Room room) {
+    setRoom(room);
+    this->layout()->update();  // what is hidden takes its room until then
+    this->layout()->activate();
+    return minimumSizeHint().width();
+  };
+  narrow_width_ = needed(Room::narrow);
+  setMinimumWidth(needed(Room::tight));  // whatever it shows in a wide window
+  setRoom(Room::plenty);
 }
 
-void StateBar::setNarrow(bool narrow) {
-  record_->setCompact(narrow);
+StateBar::Room StateBar::roomIn(int width) const {
+  return width >= kRoomy ? Room::plenty : width >= narrow_width_ ? Room::narrow : Room::tight;
+}
+
+void StateBar::setRoom(Room room) {
+  room_ = room;
+  const bool narrow = room != Room::plenty;
+  record_->setSize(room == Room::tight    ? RecordButton::Size::sign
+                   : room == Room::narrow ? RecordButton::Size::line
+                                          : RecordButton::Size::full);
+  for (QWidget* each : {word_, since_label_}) each->setVisible(room != Room::tight);  // the word then leads the reason
   tare_->setText(narrow ? QString() : tr("Tare"));
   tare_->setFixedWidth(narrow ? kButtonHeight : widest(tare_->font(), {tr("Tare")}) + kIconAndMargins);
   // Room for a second line, so that a longer reason moves nothing below it.
@@ -159,9 +174,10 @@ void StateBar::setNarrow(bool narrow) {
 
 void StateBar::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  const bool narrow = event->size().width() < kRoomy;
-  if (event->oldSize().isValid() && narrow == (event->oldSize().width() < kRoomy)) return;
-  setNarrow(narrow);
+  const Room room = roomIn(event->size().width());
+  if (event->oldSize().isValid() && room == room_) return;
+  setRoom(room);
+  refresh();
 }
 
 void StateBar::showMissing(const MissingNow& missing) {
@@ -178,6 +194,12 @@ void StateBar::showParts(const std::vector<PartView>& parts) {
 void StateBar::showLateness(const QString& lateness) {
   if (lateness_ == lateness) return;
   lateness_ = lateness;
+  refresh();
+}
+
+void StateBar::showMotion(const QString& motion) {
+  if (motion_ == motion) return;
+  motion_ = motion;
   refresh();
 }
 
@@ -226,10 +248,14 @@ void StateBar::refresh() {
     words = {tr("Unknown"), tr("The haptic loop says nothing; the last state was %1.").arg(words.word),
              tr("Press Esc, then restart the program."), QStringLiteral("state-held")};
     colour = theme().warning;
+  } else if (!motion_.isEmpty()) {
+    words.why = tr("A held button moves the motors: %1.").arg(motion_);
+    words.to_do = tr("Letting go or Esc switches them off.");
   }
   word_->setText(words.word);
   word_->setStyleSheet(QStringLiteral("color: %1;").arg(colour.name()));
-  why_->setText(words.why + QLatin1Char(' ') + words.to_do);
+  const QString lead = room_ == Room::tight ? words.word + QStringLiteral(": ") : QString();
+  why_->setText(lead + words.why + QLatin1Char(' ') + words.to_do);
   shape_->setPixmap(shapePixmap(words.icon, colour, devicePixelRatioF()));
   arm_->setText(onTwoLines(armText(state_)));
   arm_->setAccessibleName(armText(state_));

@@ -36,6 +36,8 @@ class StateBar : public QFrame {
   /// What arming would be refused for now. To be called often: what was said before the state changed is forgotten.
   void showMissing(const MissingNow& missing);
   void showParts(const std::vector<PartView>& parts);
+  /// The motion that an operator's held button makes; empty: none. The motors are then on outside Active.
+  void showMotion(const QString& motion);
 
   [[nodiscard]] PartList* parts() const { return parts_; }
   [[nodiscard]] HoldButton* armButton() const { return arm_; }
@@ -56,7 +58,9 @@ class StateBar : public QFrame {
 
  private:
   void build();
-  void setNarrow(bool narrow);
+  enum class Room { plenty, narrow, tight };
+  void setRoom(Room room);
+  [[nodiscard]] Room roomIn(int width) const;
   void refresh();
   void refreshSince();
 
@@ -64,6 +68,9 @@ class StateBar : public QFrame {
   pipeline::Fault fault_ = pipeline::Fault::none;
   std::optional<MissingNow> missing_;
   QString lateness_;
+  QString motion_;
+  Room room_ = Room::plenty;
+  int narrow_width_ = 0;  ///< px, that the narrow bar needs
   bool known_ = false;
   bool closed_ = false;
   bool silent_ = false;

@@ -20,6 +20,7 @@
 #include "app/console/window/manual.h"
 #include "app/console/window/places.h"
 #include "core/catalogue/catalogue_delivery.h"
+#include "core/device/touchpad/test_motion.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/icon.h"
 
@@ -345,6 +346,9 @@ void MainWindow::takeSamples(std::span<const pipeline::TelemetrySample> samples)
   state_ = newest.state;
   if (state_ == pipeline::SafetyState::active) notices()->withdraw(kHowToArm);
   stateBar()->showState(newest.state, newest.fault);
+  const station::DeviceTestStatus motion = session_->deviceTestStatus();
+  stateBar()->showMotion(
+      motion.running ? widgets::coreText(device::kDeviceTestNames[static_cast<std::size_t>(motion.test)]) : QString());
   link_->showSample(newest);
   takeWaitingTheme();
   if (arm_once_ && newest.state == pipeline::SafetyState::ready) {

@@ -4,6 +4,8 @@
 #include <signal.h>
 #include <sys/stat.h>
 
+#include <fstream>
+
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
@@ -18,6 +20,7 @@ namespace fyd::catalogue {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -66,6 +69,22 @@ TEST_F(SqliteCatalogue, ALockedOneIsNamedWithItsHolderAndTheEntryWaits) {
   EXPECT_EQ(catalogue->pending().delivered, 1U);
   EXPECT_TRUE(catalogue->get("second"));
   EXPECT_EQ(Catalogue::open(word())->pending().delivered, 0U) << "once";
+}
+
+TEST_F(SqliteCatalogue, DamageOfWhatWaitsIsToldAsThat) {
+  ASSERT_TRUE(queueEntry(path("sessions.sqlite"), entryOf("here"), "away"));
+  {
+    std::fstream file(pendingPath(), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(100);  // behind SQLite's own header
+    file << std::string(4000, '\xff');
+  }
+  auto catalogue = Catalogue::open(word());
+  ASSERT_TRUE(catalogue) << "the catalogue itself is well";
+  const std::string told = catalogue->pending().problem.text();
+  EXPECT_THAT(
+      told, AllOf(HasSubstr("pending.sqlite: what waits for catalogues is damaged"), HasSubstr("Move the file away")));
+  std::filesystem::rename(pendingPath(), pendingPath() + ".away");
+  EXPECT_TRUE(Catalogue::open(word())->pending().problem.empty());
 }
 
 TEST_F(SqliteCatalogue, WaitingEntriesGoOnlyToTheirOwnCatalogue) {
