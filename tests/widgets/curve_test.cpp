@@ -263,6 +263,28 @@ class CurveTest : public QObject {
     WAIT_EQUAL(view.readout(0)->valueText(0), QStringLiteral("—"));
     WAIT_EQUAL(view.readout(0)->note(), QStringLiteral("no data"));
   }
+
+  void aForceWhoseReadingIsGoneIsNoneWhileTheSamplesGoOn() {
+    widgets::CurveView view;
+    view.show();
+    double time_s = 0.0;
+    const auto fed = [&](double age_ms) {
+      auto samples = ramp(100, time_s);
+      time_s += 0.1;
+      for (pipeline::TelemetrySample& sample : samples) {
+        sample.bridge_age_ms = age_ms;
+        sample.stiffness_N_per_mm = 0.5;
+        sample.target_clamped = true;
+      }
+      view.append(samples);
+      return view.readout(0)->valueText(0);
+    };
+    WAIT_EQUAL(fed(10.0), QStringLiteral("1.50"));
+    WAIT_EQUAL(fed(301.0), QStringLiteral("—"));
+    QCOMPARE(view.readout(0)->note(), QStringLiteral("301 ms old"));
+    QCOMPARE(view.readout(2)->note(), QStringLiteral("last touch, target limited"));
+    WAIT_EQUAL(fed(10.0), QStringLiteral("1.50"));
+  }
 };
 
 std::unique_ptr<QObject> makeCurveTest() { return std::make_unique<CurveTest>(); }

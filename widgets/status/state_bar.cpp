@@ -254,8 +254,9 @@ void StateBar::refresh() {
   }
   word_->setText(words.word);
   word_->setStyleSheet(QStringLiteral("color: %1;").arg(colour.name()));
-  const QString lead = room_ == Room::tight ? words.word + QStringLiteral(": ") : QString();
-  why_->setText(lead + words.why + QLatin1Char(' ') + words.to_do);
+  const QString lead = room_ == Room::tight ? words.word + QStringLiteral(". ") : QString();
+  reason_ = words.why + QLatin1Char(' ') + words.to_do;
+  why_->setText(lead + reason_);
   shape_->setPixmap(shapePixmap(words.icon, colour, devicePixelRatioF()));
   arm_->setText(onTwoLines(armText(state_)));
   arm_->setAccessibleName(armText(state_));
@@ -263,7 +264,7 @@ void StateBar::refresh() {
   arm_->setEnabled(known_ && !closed_ && !silent_ && state_ != SafetyState::active);
   tare_->setIcon(icon(QStringLiteral("tare")));
   stop_->setIcon(icon(QStringLiteral("stop"), theme().on_danger));
-  setAccessibleDescription(words.word + QStringLiteral(". ") + why_->text());
+  setAccessibleDescription(words.word + QStringLiteral(". ") + reason_);
   refreshSince();
 }
 

@@ -46,7 +46,7 @@ class StateBar : public QFrame {
   [[nodiscard]] QPushButton* tareButton() const { return tare_; }
   [[nodiscard]] SimulatedBadge* badge() const { return badge_; }
   [[nodiscard]] QString stateWord() const { return word_->text(); }
-  [[nodiscard]] QString stateReason() const { return why_->text(); }
+  [[nodiscard]] QString stateReason() const { return reason_; }
 
  signals:
   void stopAsked();
@@ -69,6 +69,7 @@ class StateBar : public QFrame {
   std::optional<MissingNow> missing_;
   QString lateness_;
   QString motion_;
+  QString reason_;
   Room room_ = Room::plenty;
   int narrow_width_ = 0;  ///< px, that the narrow bar needs
   bool known_ = false;
