@@ -138,11 +138,12 @@ template <class T>
 template <class T>
 py::enum_<T> enumOf(py::module_& module, const char* name, const char* help) {
   py::enum_<T> type(module, name, help);
-  py::delattr(type, "__init__");
-  type.def(py::init([type = py::handle(type)](std::underlying_type_t<T> number) {
-             for (const auto& [word, entry] : type.attr("__members__").template cast<py::dict>())
+  const py::handle self(type.ptr());
+  py::delattr(self, "__init__");
+  type.def(py::init([self](std::underlying_type_t<T> number) {
+             for (const auto& [word, entry] : self.attr("__members__").template cast<py::dict>())
                if (entry.template cast<T>() == static_cast<T>(number)) return static_cast<T>(number);
-             throw py::value_error(fmt::format("{}: no {}", number, std::string(py::str(type.attr("__name__")))));
+             throw py::value_error(fmt::format("{}: no {}", number, std::string(py::str(self.attr("__name__")))));
            }),
            py::arg("value"));
   return type;
