@@ -19,12 +19,12 @@ constexpr std::uint64_t kFarthestWhole = 1'000;  // pictures to go back for a wh
 
 class Hdf5Recording final : public DamagedRecording {
  public:
-  Hdf5Recording(std::string path, bool damaged_header)
+  Hdf5Recording(std::string path, bool damaged)
       : path_(std::move(path)), source_(std::make_unique<RecordingSource>(path_)) {
-    info_.header = damaged_header ? salvageHeader(source_->file()) : readHeader(source_->file());
+    info_.header = damaged ? salvageHeader(source_->file()) : readHeader(source_->file());
     missing_.emplace(info_.header.missing);
     indices_.emplace(info_.header);
-    tables_.emplace(source_->file(), source_->growing(), damaged_header);
+    tables_.emplace(source_->file(), source_->growing(), damaged);
     look();
   }
   ~Hdf5Recording() override {
