@@ -113,7 +113,11 @@ class Damage(fyd.Case):
                 said = json.loads(done.stdout)
                 self.assertEqual((said["samples"], said["lost_samples"]), (self.samples, 0))
                 self.assertTrue(self.said("verify", 0)["intact"])
+                missing = {rows["table"] for rows in self.said("info", 0)["missing"]}
+                told = {"camera/bytes": "camera/index", "notes/text": "notes/index"}.get(table, table)  # by the rows they are of
+                self.assertLessEqual(missing, {"/" + told, "/header"}, table)
                 if remade:
+                    self.assertEqual(missing, set())
                     self.assertTrue(self.said("replay", 0)["identical"])
                 os.remove(self.file + ".damaged")
         self.assertGreater(tried, 12)

@@ -4,9 +4,9 @@
     cmake --preset branches && cmake --build --preset branches && ctest --preset branches
     python3 tests/coverage/coverage.py build/branches
 
-That counts the three parts, which alone are unoptimised. Each process leaves its counts in counts/PROGRAM/PROCESS
-of the build folder (remove them to begin anew). With the preset coverage everything is unoptimised, which takes hours, and the lines
-of the whole core are counted too.
+That counts the three parts, which alone are unoptimised. Each process leaves its counts in counts/PROGRAM/PROCESS of
+the build folder (remove them to begin anew). With the preset coverage everything is unoptimised, which takes hours, and
+the lines of the whole core are counted too.
 
 Branches that only an exception takes do not count (gcovr --exclude-throw-branches), nor do those behind such a one
 (gcov.py beside this file), nor those that the compiler made of a closing brace. A branch that no test takes stands in

@@ -14,6 +14,16 @@ namespace fyd::tests {
 using pipeline::Fault;
 using pipeline::SafetyState;
 
+namespace {
+
+/// The mouse goes there with its left button down.
+void dragTo(QWidget& widget, QPointF to) {
+  QMouseEvent moved(QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&widget, &moved);
+}
+
+}  // namespace
+
 class ControlTest : public QObject {
   Q_OBJECT
  private slots:
@@ -60,9 +70,7 @@ class ControlTest : public QObject {
     QSignalSpy held(&button, &widgets::HoldButton::held);
     QTest::mousePress(&button, Qt::LeftButton);
     QTest::qWait(100);
-    QMouseEvent away(QEvent::MouseMove, QPointF(400, 400), button.mapToGlobal(QPointF(400, 400)), Qt::NoButton,
-                     Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&button, &away);
+    dragTo(button, {400, 400});
     QCOMPARE(button.progress(), 0.0);
     QTest::mouseRelease(&button, Qt::LeftButton, {}, QPoint(400, 400));
     QTest::mousePress(&button, Qt::LeftButton);
@@ -79,15 +87,11 @@ class ControlTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(&button, kPatience_ms));
     QSignalSpy held(&button, &widgets::HoldButton::held);
     QSignalSpy let_go(&button, &widgets::HoldButton::letGo);
-    const auto move = [&](QPointF to) {
-      QMouseEvent moved(QEvent::MouseMove, to, button.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-      QApplication::sendEvent(&button, &moved);
-    };
     const QPointF inside = QRectF(button.rect()).center();
     QFocusEvent lost(QEvent::FocusOut);
     for (const bool acted : {false, true}) {
       for (const auto& end : {std::function([&] {
-                                move({400, 400});
+                                dragTo(button, {400, 400});
                               }),
                               std::function([&] { QApplication::sendEvent(&button, &lost); }), std::function([&] {
                                 button.setEnabled(false);
@@ -99,9 +103,9 @@ class ControlTest : public QObject {
         if (acted) WAIT_EQUAL(held.count(), 1);
         end();
         QCOMPARE(let_go.count(), acted ? 1 : 0);
-        move({400, 400});
-        move(inside);
-        move(inside + QPointF(1, 0));
+        dragTo(button, {400, 400});
+        dragTo(button, inside);
+        dragTo(button, inside + QPointF(1, 0));
         passTimers(widgets::HoldButton::kHold_ms + 200);
         QCOMPARE(held.count(), acted ? 1 : 0);
         QVERIFY(!button.engaged() && button.progress() == 0.0);

@@ -124,6 +124,11 @@ Handle openValue(hid_t file, const char* path) {
   return set;
 }
 
+std::uint64_t mostUnopened(hid_t file, Table table) {
+  const TableLayout& layout = layoutOf(table);
+  return isListed(layout) ? diskBytes(file) / layout.row_bytes : std::numeric_limits<std::uint64_t>::max();
+}
+
 std::uint64_t mostRows(Table table, std::uint64_t number) {
   constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
   const bool of_steps = table == Table::telemetry || table == Table::steps || table == Table::motors;

@@ -26,6 +26,9 @@ struct OpenedTable {
 /// The dataset of a text or of bytes. Every reader of one opens it here.
 [[nodiscard]] Handle openValue(hid_t file, const char* path);
 
+/// Rows that a table which cannot be opened may have: of those that are read row by row no more than the file has room for.
+[[nodiscard]] std::uint64_t mostUnopened(hid_t file, Table table);
+
 /// Rows that commit `number` can count: the recorder writes one after 250 steps at the latest.
 [[nodiscard]] std::uint64_t mostRows(Table table, std::uint64_t number);
 /// Whether a commit's row counts are within mostRows() and agree with each other.

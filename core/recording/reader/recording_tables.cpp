@@ -52,14 +52,14 @@ RecordingTables::RecordingTables(hid_t file, bool growing, bool damaged) : growi
   if (growing_ && findLast()) return;
   if (commit_table_.rows() == 0 || growing_)
     failHard("no commit in it can be trusted: nothing was ever completely written");
-  lookAtCommits();
+  lookAtCommits(file);
 }
 
-void RecordingTables::lookAtCommits() {
+void RecordingTables::lookAtCommits(hid_t file) {
   commit_count_ = commit_table_.rows();
   std::array<std::uint64_t, kTableCount> in_file{};
   for (std::size_t i = 0; i < kTableCount; ++i)
-    in_file[i] = unopened_[i].empty() ? tables_[i].rows() : std::numeric_limits<std::uint64_t>::max();
+    in_file[i] = unopened_[i].empty() ? tables_[i].rows() : mostUnopened(file, static_cast<Table>(i));
   CommitMender mender([this](Table table) -> const Hdf5Table& { return tables_[indexOf(table)]; });
   last_.latest_ns = std::numeric_limits<std::int64_t>::min();
   const auto sound = [&](std::uint64_t number) -> std::optional<CommitRow> {

@@ -88,7 +88,7 @@ class RecordingTables {
   std::shared_ptr<const RecordingBlock> commitBlock(std::uint64_t number) const;
   void remember(Key key, std::shared_ptr<const RecordingBlock> block) const;
   bool findLast();
-  void lookAtCommits();
+  void lookAtCommits(hid_t file);
 
   std::array<Hdf5Table, kTableCount> tables_;
   std::array<Message, kTableCount> unopened_;  ///< why a table cannot be opened; empty: it is open, or not there

@@ -63,6 +63,20 @@ class RecordingLayout : public testing::Test {
       close(what);
   }
 
+  /// The last commit says that these tables have so many rows, with a right checksum.
+  static void forgeLastCommit(hid_t id, std::initializer_list<Table> tables, std::uint64_t rows) {
+    const hid_t set = H5Dopen2(id, "/commits", H5P_DEFAULT);
+    const hid_t type = H5Dget_type(set);
+    std::array<CommitRow, 4> commits;  // at the beginning, after 250 and 500 steps, at the end
+    EXPECT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, commits.data()), 0);
+    CommitRow& last = commits.back();
+    for (const Table table : tables) last.rows[indexOf(table)] = rows;
+    last.own_crc = crc32c(std::as_bytes(std::span(&last, 1)).first(offsetof(CommitRow, own_crc)));
+    EXPECT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, commits.data()), 0);
+    H5Tclose(type);
+    H5Dclose(set);
+  }
+
   Folder folder;
   std::string file = folder.file();
   std::string pipe = folder.file("pipe");
@@ -146,20 +160,30 @@ TEST_F(RecordingLayout, ACommitThatCountsMoreStepsThanItMayIsNotTaken) {
       EXPECT_GE(H5Dset_extent(set, &rows), 0);
       H5Dclose(set);
     }
-    const hid_t set = H5Dopen2(id, "/commits", H5P_DEFAULT);
-    const hid_t type = H5Dget_type(set);
-    std::array<CommitRow, 4> commits;  // at the beginning, after 250 and 500 steps, at the end
-    EXPECT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, commits.data()), 0);
-    CommitRow& last = commits.back();
-    last.rows[0] = last.rows[1] = last.rows[2] = rows;
-    last.own_crc = crc32c(std::as_bytes(std::span(&last, 1)).first(offsetof(CommitRow, own_crc)));
-    EXPECT_GE(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, commits.data()), 0);
-    H5Tclose(type);
-    H5Dclose(set);
+    forgeLastCommit(id, {Table::telemetry, Table::steps, Table::motors}, rows);
   });
   const auto recording = Recording::open(file);
   ASSERT_TRUE(recording) << recording.error().text();
   EXPECT_EQ((*recording)->info().committed_samples, 500U);
+}
+
+TEST_F(RecordingLayout, ACommitThatCountsMoreRowsOfADamagedTableThanTheFileHasRoomForIsNotTaken) {
+  for (const Table table : {Table::events, Table::notes, Table::link, Table::pictures}) {
+    anew();
+    haddr_t header = 0;
+    change([&](hid_t id) {
+      forgeLastCommit(id, {table}, std::uint64_t{1} << 50U);  // to look for each of them would take years
+      H5O_info_t info;
+      EXPECT_GE(H5Oget_info_by_name1(id, layoutOf(table).path, &info, H5P_DEFAULT), 0);
+      header = info.addr;
+    });
+    flipBit(file, header + kJournalBytes + 12, 2);
+    ASSERT_FALSE(Recording::open(file));
+    const auto recovered = recover(file);
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    EXPECT_EQ(recovered->result, RecoverResult::whole) << "the commit is mended, and the table had no row";
+    EXPECT_EQ(recovered->steps, 600U);
+  }
 }
 
 TEST_F(RecordingLayout, ValuesThatTheFileDoesNotHoldAreRefusedBeforeTheyTakeMemory) {
