@@ -443,6 +443,19 @@ class MannersTest : public QObject {
     QCOMPARE(help->topic(), QStringLiteral("operate.md#camera"));
   }
 
+  void aPictureOfTheManualIsScaledWithoutAPatternOfDots() {
+    Fixture f;
+    f.window->help()->showTopic(QStringLiteral("operate.md"));
+    const QUrl picture(QStringLiteral("images/operate-dark.png"));
+    const QImage page = f.window->help()->page()->loadResource(QTextDocument::ImageResource, picture).value<QImage>();
+    QVERIFY(page.width() > 300 && page.width() < 1280);
+    // Below the panels lies the window's bare background: one colour.
+    const QRect bare(page.width() / 2, page.height() * 95 / 100, page.width() / 4, page.height() * 3 / 100);
+    for (int x = bare.left(); x <= bare.right(); ++x) {
+      for (int y = bare.top(); y <= bare.bottom(); ++y) QCOMPARE(page.pixel(x, y), page.pixel(bare.topLeft()));
+    }
+  }
+
   void theManualSpeaksTheWindowsLanguageAndEnglishWhereAPageIsNotTranslated() {
     const Speaking italian("it");
     for (const QString& topic : console::manualTopics()) {

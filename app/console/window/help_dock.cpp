@@ -26,7 +26,11 @@ class ManualPage : public QTextBrowser {
   QSize sizeHint() const override { return {kPageWidth, kPageWidth}; }
   QVariant loadResource(int type, const QUrl& name) override {
     QVariant found = QTextBrowser::loadResource(type, name);
-    const QImage image = type == QTextDocument::ImageResource ? QImage::fromData(found.toByteArray()) : QImage();
+    // In 32 bits: a palette's picture is scaled to its palette's colours, in a pattern of dots.
+    const QImage image =
+        type == QTextDocument::ImageResource
+            ? QImage::fromData(found.toByteArray()).convertToFormat(QImage::Format_ARGB32_Premultiplied)
+            : QImage();
     const int room = std::max(kPageWidth, viewport()->width()) - 2 * kGrid;
     if (image.width() <= room) return found;
     QImage fitting = image.scaledToWidth(qRound(room * devicePixelRatioF()), Qt::SmoothTransformation);
