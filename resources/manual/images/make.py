@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Makes every picture of README and manual: resources/manual/images/make.py [NAME...] [--programs build/release/bin]
 
-Without a name, all of them. Pictures of the window need no display, and are smaller where Debian's pngquant is installed; those
-of a bench take as long as the bench.
+Without a name, all of them. Pictures of the window need Debian's pngquant and no display; those of a bench take as long as the
+bench.
 tests/manual/pictures_test.py fails when a page shows a picture that is not in PICTURES below, or none shows one that is.
 """
 import argparse
@@ -37,8 +37,7 @@ class Maker:
         chosen = [] if "--robot" in arguments or "--review" in arguments else ["--finger", HAND]
         self.run("fyd-console", "--simulate", *chosen, "--theme", theme, "--language", "en", "--size", size, "--screenshot",
                  IMAGES / name, "--after", after, *arguments)
-        if shutil.which("pngquant"):  # 256 colours: a third of the bytes
-            self.run("pngquant", "--force", "--skip-if-larger", "--ext", ".png", "256", IMAGES / name)
+        self.run("pngquant", "--force", "--skip-if-larger", "--ext", ".png", "256", IMAGES / name)  # a third of the bytes
 
     def session(self):
         """A recorded session, once for all pictures."""
@@ -92,6 +91,8 @@ def main():
     unknown = [name for name in options.names if name not in PICTURES]
     if unknown:
         parser.error(f"{', '.join(unknown)}: expected some of {', '.join(PICTURES)}")
+    if not shutil.which("pngquant"):
+        parser.error("pngquant is not installed: without it the window's pictures are too large (apt install pngquant)")
     with tempfile.TemporaryDirectory() as folder:
         maker = Maker(options.programs, folder)
         for name in options.names or PICTURES:
