@@ -10,7 +10,7 @@ namespace fyd {
 
 inline constexpr std::uint64_t kLargestWholeFile_bytes = 64ULL << 20U;
 
-/// What may be read besides a regular file. A pipe whose writer never ends is waited for.
+/// What may be read besides a regular file. A pipe whose writer never ends is waited for, until `endSignal`.
 enum class FileKind : std::uint8_t { regular, pipe_too };
 
 /// @return an error with the path and the reason: not there, not readable, a folder, a device or a pipe where only a

@@ -6270,6 +6270,10 @@ Pour commencer : %1</translation>
         <translation>courbe : %1</translation>
     </message>
     <message>
+        <source>cut short: its last {} of {} bytes are missing</source>
+        <translation>tronqué : ses {} derniers octets sur {} manquent</translation>
+    </message>
+    <message>
         <source>dB re 1 m/s²</source>
         <translation>dB réf. 1 m/s²</translation>
     </message>
@@ -9780,6 +9784,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: not open</source>
         <translation>{} : non ouvert</translation>
+    </message>
+    <message>
+        <source>{}: not read to its end: the program was asked to end</source>
+        <translation>{} : pas lu jusqu'à la fin : il a été demandé au programme de se terminer</translation>
     </message>
     <message>
         <source>{}: note {}: {}</source>

@@ -6270,6 +6270,10 @@ Per cominciare: %1</translation>
         <translation>curva: %1</translation>
     </message>
     <message>
+        <source>cut short: its last {} of {} bytes are missing</source>
+        <translation>tronco: mancano i suoi ultimi {} di {} byte</translation>
+    </message>
+    <message>
         <source>dB re 1 m/s²</source>
         <translation>dB rif. 1 m/s²</translation>
     </message>
@@ -9780,6 +9784,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: not open</source>
         <translation>{}: non aperto</translation>
+    </message>
+    <message>
+        <source>{}: not read to its end: the program was asked to end</source>
+        <translation>{}: non letto fino alla fine: è stato chiesto al programma di terminare</translation>
     </message>
     <message>
         <source>{}: note {}: {}</source>

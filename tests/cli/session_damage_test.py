@@ -147,6 +147,30 @@ class Damage(fyd.Case):
         self.assertIn("/inputs/motor_reference is lost", replay["why_not_exact"])
         self.assertEqual(replay["samples"], self.samples)
 
+    def test_a_copy_that_broke_off_is_told_and_what_was_copied_is_saved(self):
+        whole = os.path.getsize(self.file)
+        os.truncate(self.file, 1 + whole * 6 // 10)
+        missing = whole - os.path.getsize(self.file)
+        info = self.said("info", 0)
+        self.assertEqual((info["wholeness"], info["health"]), ("damaged", "damaged"))
+        self.assertIn(f"cut short: its last {missing} of {whole} bytes are missing", info["health_reason"])
+        verified = self.said("verify", 1)
+        self.assertEqual((verified["intact"], verified["missing_bytes"]), (False, missing))
+        recovered = self.said("recover", 3)
+        self.assertEqual(recovered["samples"] + recovered["lost_samples"], self.samples)
+        self.assertGreater(recovered["samples"], self.samples // 4)
+        self.assertEqual(os.path.getsize(self.file + ".damaged"), whole - missing)
+        self.assertTrue(self.said("verify", 0)["intact"])
+        self.assertEqual(self.said("info", 0)["health"], "gaps")
+        columns = []
+        for number, name in enumerate((self.good, self.file)):
+            made = fyd.run("session", "export", name, self.path(f"{number}.csv"), "--fields", "step,force_N")
+            self.assertEqual(made.returncode, 0, made.stderr)
+            with open(self.path(f"{number}.csv"), newline="") as rows:
+                columns.append(list(csv.reader(rows)))
+        self.assertEqual(len(columns[1]), 1 + recovered["samples"])
+        self.assertEqual(columns[0][:len(columns[1])], columns[1])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -33,6 +33,7 @@ void addSessionVerify(CLI::App& parent) {
                  {"commits", checked.commits},
                  {"damaged_commits", checked.damaged_commits},
                  {"unproven_rows", checked.unproven_rows},
+                 {"missing_bytes", checked.missing_bytes},
                  {"blocks", checked.blocks},
                  {"bytes", checked.bytes},
                  {"damaged", checked.damaged},

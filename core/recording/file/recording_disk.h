@@ -13,6 +13,7 @@
 
 #include <sys/types.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -60,6 +61,9 @@ class JournaledFile {
   void abandon() { abandoned_ = true; }
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// What is known of the file's length from elsewhere: it may have been cut short.
+  void expectLength(std::uint64_t bytes) { expected_ = bytes; }
+  [[nodiscard]] std::uint64_t missingBytes() const { return std::max(expected_, size_) - size_; }
   /// The file's length at this moment, in bytes; that of a growing recording increases.
   [[nodiscard]] std::uint64_t sizeNow() const;
   /// Bytes allocated on the disk. A sparse file counts at most its allocated blocks or 8 MiB, whichever is more.
@@ -83,6 +87,7 @@ class JournaledFile {
   std::shared_ptr<DiskCalls> calls_;
   std::vector<Write> waiting_;  // in the order HDF5 wrote them: a reader in another process relies on it
   std::uint64_t size_ = 0;
+  std::uint64_t expected_ = 0;
   std::uint64_t committed_end_ = 0;
   std::uint64_t written_end_ = 0;  // the file on the disk is at least so long
   std::uint64_t sequence_ = 0;

@@ -55,15 +55,22 @@ herr_t setEndOfSpace(H5FD_t* file, H5FD_mem_t, haddr_t end) {
   return 0;
 }
 
-haddr_t endOfFile(const H5FD_t* file, H5FD_mem_t) { return own(file).disk->size(); }
+// HDF5 opens no file that is shorter than it says. Of one that was cut short, what is there shall be read.
+haddr_t endOfFile(const H5FD_t* file, H5FD_mem_t) {
+  const JournaledFile& disk = *own(file).disk;
+  return disk.size() + disk.missingBytes();
+}
 
 // A killed recorder may have left its last block unfinished, so a read may reach this far beyond the end of the file.
-// Reads further beyond it are errors.
+// Reads further beyond it are errors, and never is more read than the file can hold.
 constexpr std::uint64_t kMostBeyondEnd = 1U << 20U;
 
 herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, void* out) {
   const JournaledFile& disk = *own(file).disk;
-  const auto beyond = [&](std::uint64_t end) { return at > end + kMostBeyondEnd || size > end + kMostBeyondEnd - at; };
+  const auto beyond = [&](std::uint64_t bytes) {
+    const std::uint64_t end = bytes + disk.missingBytes() + kMostBeyondEnd;
+    return size > bytes + kMostBeyondEnd || at > end || size > end - at;
+  };
   if (beyond(disk.size()) && beyond(disk.sizeNow())) return -1;
   return disk.read(at, {static_cast<std::byte*>(out), size}) == 0 ? 0 : -1;
 }

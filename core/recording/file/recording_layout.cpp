@@ -30,14 +30,14 @@ struct Superblock {
   std::uint8_t opened_by = 0;  // marks of those who have it open
   std::array<std::uint8_t, 8> base = std::bit_cast<std::array<std::uint8_t, 8>>(kJournalBytes);
   std::array<std::uint8_t, 8> extension = std::bit_cast<std::array<std::uint8_t, 8>>(~std::uint64_t{0});  // none
+  std::array<std::uint8_t, 8> end{};
   bool operator==(const Superblock&) const = default;
 };
-static_assert(sizeof(Superblock) == 28);
+static_assert(sizeof(Superblock) == 36);
 
 Superblock superblockAt(const JournaledFile& disk, std::uint64_t at) {
   Superblock block;
   if (disk.read(at, std::as_writable_bytes(std::span(&block, 1))) != 0) failHard("its first bytes cannot be read");
-  block.opened_by = 0;
   return block;
 }
 
@@ -96,10 +96,17 @@ void checkStart(const JournaledFile& disk) {
   for (std::uint64_t at = 0; at < kJournalBytes; at = nextStart(at))
     if (superblockAt(disk, at).signature == kHdf5Signature)
       failHard("an HDF5 file, but not a recording of the console");
-  const Superblock found = superblockAt(disk, kJournalBytes);
+  Superblock found = superblockAt(disk, kJournalBytes);
+  found.opened_by = 0;
+  found.end = {};
   if (found.signature != kHdf5Signature) failHard("not a recording, or too damaged to open");
   if (found != Superblock{})
     failHard("an HDF5 file, but not a recording of the console, or its first bytes are damaged");
+}
+
+std::uint64_t closedLength(const JournaledFile& disk) {
+  const Superblock found = superblockAt(disk, kJournalBytes);
+  return found.opened_by == 0 ? std::bit_cast<std::uint64_t>(found.end) : 0;
 }
 
 OpenedTable openTable(hid_t file, const TableLayout& today) {

@@ -16,6 +16,8 @@ namespace fyd::recording {
 
 /// Before HDF5 sees the file: its first bytes are a superblock as the recorder writes it.
 void checkStart(const JournaledFile& disk);
+/// Bytes that a closed recording says to have, after checkStart; 0: it was not closed, and may say more than was written.
+[[nodiscard]] std::uint64_t closedLength(const JournaledFile& disk);
 
 /// A table's dataset, and how its rows are laid out. Every reader of rows opens it here.
 struct OpenedTable {

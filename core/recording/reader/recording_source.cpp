@@ -41,6 +41,7 @@ RecordingSource::RecordingSource(int descriptor, std::string path) : descriptor_
   // The journal of a running recorder is not read: the recorder applies it itself.
   disk_ = std::make_shared<JournaledFile>(descriptor_.number(), JournaledFile::Mode::read, !growing_);
   checkStart(*disk_);
+  if (!growing_) disk_->expectLength(closedLength(*disk_));
   const Handle access = accessThrough(disk_);
   // HDF5 waits twice as long before each new attempt at a block whose checksum is wrong: a tenth of a second in all is
   // enough for a recorder that the machine interrupted while writing it, and without a recorder a retry changes

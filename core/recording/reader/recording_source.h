@@ -41,6 +41,8 @@ class RecordingSource {
   /// The journal of an ended recorder is read here, but not yet applied to the file: other programs do not see it.
   [[nodiscard]] bool journalPending() const { return disk_->foundJournal(); }
   [[nodiscard]] std::uint64_t bytes() const;
+  /// At its end: the closed file was cut short, as by a copy that broke off.
+  [[nodiscard]] std::uint64_t missingBytes() const { return disk_->missingBytes(); }
   /// Its recorder ran when the file was opened and has ended since: its journal has not been read.
   [[nodiscard]] bool recorderEnded() const { return growing_ && !recorderRuns(); }
 

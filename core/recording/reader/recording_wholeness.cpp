@@ -21,8 +21,10 @@ std::vector<std::string> unprovenRows(const RecordingTables& tables, std::uint64
   return words;
 }
 
-Message damageOf(const RecordingTables& tables, std::uint64_t& unproven_rows) {
+Message damageOf(const RecordingSource& source, const RecordingTables& tables, std::uint64_t& unproven_rows) {
   std::vector<Message> out;
+  if (const std::uint64_t missing = source.missingBytes(); missing > 0)
+    out.push_back(say("cut short: its last {} of {} bytes are missing", missing, source.bytes() + missing));
   if (const auto& damaged = tables.damagedCommits(); !damaged.empty())
     out.push_back(say("/commits: {} of {} rows are damaged, the first: row {}", damaged.size(), tables.commits(),
                       damaged.front()));
@@ -48,7 +50,7 @@ void judge(const RecordingSource& source, const RecordingTables& tables, Recordi
                                              : Wholeness::crashed;
     return;
   }
-  info.damage = damageOf(tables, info.unproven_rows);
+  info.damage = damageOf(source, tables, info.unproven_rows);
   info.wholeness = !info.damage.empty()                          ? Wholeness::damaged
                    : last.closed == 0 || source.journalPending() ? Wholeness::crashed
                                                                  : Wholeness::whole;

@@ -63,6 +63,7 @@ Result<Verification> verify(const std::string& path, const Progress& progress) {
   result.commits = tables.commits();
   result.damaged_commits = tables.damagedCommits().size();
   result.unproven_rows = judged.unproven_rows;
+  result.missing_bytes = (*opened)->source.missingBytes();
   result.first_damage = judged.damage;
   const double all = bytesOf(tables);
   double before = 0.0;  // of the tables done

@@ -15,6 +15,7 @@ struct Verification {
   std::uint64_t commits = 0;
   std::uint64_t damaged_commits = 0;
   std::uint64_t unproven_rows = 0;  ///< of all tables, at their ends, which no sound commit proves
+  std::uint64_t missing_bytes = 0;  ///< at the end of a closed recording that was cut short
   std::uint64_t blocks = 0;         ///< checked: one table's rows over one or some commits
   std::uint64_t bytes = 0;          ///< of rows
   std::uint64_t damaged = 0;        ///< blocks
@@ -22,7 +23,9 @@ struct Verification {
   Message first_damage;
   Health health;  ///< as of `info`, with what was found here
 
-  [[nodiscard]] bool intact() const { return damaged == 0 && damaged_commits == 0 && unproven_rows == 0; }
+  [[nodiscard]] bool intact() const {
+    return damaged == 0 && damaged_commits == 0 && unproven_rows == 0 && missing_bytes == 0;
+  }
 };
 
 /// @return an error when the file cannot be opened as a recording at all, or `progress` ended it

@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,7 +15,11 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <string>
 #include <thread>
+
+#include "core/base/whole_file.h"
+#include "tests/temporary_folder.h"
 
 namespace fyd {
 namespace {
@@ -92,6 +97,23 @@ TEST(EndSignals, SeveralAtOnceAreOneWish) {
     return 0;
   });
   EXPECT_EQ(child.next(), SIGHUP);
+  EXPECT_EQ(child.status(), 0);
+}
+
+TEST(EndSignals, EndAReadingOfAPipeThatNobodyWrites) {
+  const Folder folder;
+  const std::string pipe = folder.file("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const Child child([&](int to) {
+    watchForEnd();
+    tell(to, 0);
+    const auto read = readWholeFile(pipe, 100, FileKind::pipe_too);
+    tell(to, !read && read.error().text() == pipe + ": not read to its end: the program was asked to end" ? 1 : 2);
+    return 0;
+  });
+  ASSERT_EQ(child.next(), 0);
+  ::kill(child.id, SIGTERM);
+  EXPECT_EQ(child.next(), 1);
   EXPECT_EQ(child.status(), 0);
 }
 

@@ -51,6 +51,21 @@ TEST(WholeFile, ReadsAPipeOnlyWhereOneIsTaken) {
   EXPECT_EQ(readWholeFile(pipe, 100, FileKind::pipe_too).value(), "through the pipe");
 }
 
+TEST(WholeFile, APipesWriterMayPause) {
+  const Folder folder;
+  const std::string pipe = folder.file("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string half(100'000, 'h');
+  std::jthread writer([&] {
+    std::ofstream file(pipe, std::ios::binary);
+    for (int i = 0; i < 2; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      file << half << std::flush;
+    }
+  });
+  EXPECT_EQ(readWholeFile(pipe, 1'000'000, FileKind::pipe_too).value(), half + half);
+}
+
 TEST(AtomicRename, KeepsOrReplacesWhatHasTheName) {
   const Folder folder;
   const std::string from = write(folder.file("from"), "new");

@@ -2,6 +2,7 @@
 // FYD_FLIPS=all flips every byte of the file's front.
 #include <hdf5.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/recording/file/recording_disk.h"
@@ -19,7 +20,7 @@ using namespace samples;
 
 /// Reads damaged files and counts what can be read of them.
 struct Readings {
-  /// Whatever opens holds what was recorded, or says that it is damaged.
+  /// Whatever opens holds what was recorded, or says that it is damaged, or what is missing.
   /// @param rows that were recorded
   void expectErrorOrEqual(const std::string& file, std::uint64_t rows) {
     const auto recording = Recording::open(file);
@@ -34,7 +35,13 @@ struct Readings {
       ++whole;
       EXPECT_EQ(info.committed_samples, rows);
     }
+    const auto lacksSomething = [&](std::uint64_t row) {
+      return std::ranges::any_of(info.header.missing, [&](const MissingRows& missing) {
+        return row >= missing.first && row - missing.first < missing.count;
+      });
+    };
     for (std::uint64_t row = 0; row < info.committed_samples; row += 41) {
+      if (lacksSomething(row)) continue;
       const auto step = (*recording)->step(row);
       if (step) {
         ++steps;
@@ -123,6 +130,48 @@ TEST(RecordingDamage, ATruncatedFileIsAnErrorOrChangesNothing) {
     readings.expectErrorOrEqual(folder.file(), 600);
   }
   EXPECT_EQ(readings.whole, 1) << "none but the one that is not cut";
+}
+
+TEST(RecordingDamage, OfACopyThatBrokeOffWhatWasCopiedIsSaved) {
+  const Folder folder;
+  record(folder.file("good.h5"), 5000);
+  const std::string good = contentOf(folder.file("good.h5"));
+  const std::size_t rows_from = kJournalBytes + 40'000;  // the header is there
+  std::uint64_t before = 0;
+  for (const double part : {0.1, 0.4, 0.7, 0.95, 1.0}) {
+    const std::size_t kept = rows_from + static_cast<std::size_t>(part * static_cast<double>(good.size() - rows_from));
+    const std::string cut = good.substr(0, std::min(kept, good.size() - 1));
+    write(folder.file(), cut);
+    const auto said =
+        fmt::format("cut short: its last {} of {} bytes are missing", good.size() - cut.size(), good.size());
+    {
+      const auto damaged = Recording::open(folder.file());
+      ASSERT_TRUE(damaged) << damaged.error().text();
+      EXPECT_EQ((*damaged)->info().wholeness, Wholeness::damaged);
+      EXPECT_THAT((*damaged)->info().damage.text(), testing::StartsWith(said));
+    }
+    const auto checked = verify(folder.file());
+    ASSERT_TRUE(checked) << checked.error().text();
+    EXPECT_FALSE(checked->intact()) << part;
+    EXPECT_EQ(checked->missing_bytes, good.size() - cut.size());
+    EXPECT_THAT(checked->first_damage.text(), testing::StartsWith(said));
+    const auto outcome = recover(folder.file());
+    ASSERT_TRUE(outcome) << outcome.error().text();
+    ASSERT_NE(outcome->result, RecoverResult::nothing) << outcome->first_damage.text();
+    EXPECT_EQ(outcome->steps + outcome->lost_steps, 5000U) << part;
+    // Of a file that is filled as time goes by.
+    EXPECT_GE(static_cast<double>(outcome->steps), (0.8 * part - 0.1) * 5000.0) << part;
+    EXPECT_GE(outcome->steps, before);
+    before = outcome->steps;
+    EXPECT_TRUE(contentOf(outcome->kept) == cut);
+    EXPECT_TRUE(verify(folder.file())->intact());
+    Readings readings;
+    readings.expectErrorOrEqual(folder.file(), outcome->steps);
+    EXPECT_EQ(readings.whole, 1);
+    EXPECT_GE(readings.steps, static_cast<int>(outcome->steps) / 41 - 40) << part;  // some lack a table's rows
+    std::filesystem::remove(folder.file());
+    std::filesystem::remove(outcome->kept);
+  }
 }
 
 TEST(RecordingDamage, OneBadBlockCostsItselfAndRecoverSavesTheRest) {

@@ -47,7 +47,8 @@ class Driven {
   [[nodiscard]] bool reads(haddr_t at, std::string& out) const {
     return H5FDread(file_, H5FD_MEM_DRAW, H5P_DEFAULT, at, out.size(), out.data()) >= 0;
   }
-  [[nodiscard]] const H5FD_t* file() const { return file_; }
+  [[nodiscard]] H5FD_t* file() const { return file_; }
+  [[nodiscard]] JournaledFile& disk() const { return *disk_; }
 
  private:
   int descriptor_;
@@ -91,6 +92,21 @@ TEST_F(RecordingDriverCalls, ReadALittleBeyondTheEndAsZerosAndNoFurther) {
   out.resize(1);
   EXPECT_FALSE(file.reads(kEnd + kLittle, out));
   EXPECT_FALSE(file.reads(kEnd + kLittle + 1, out)) << "it begins too far away";
+}
+
+TEST_F(RecordingDriverCalls, ReadTheMissingEndAsZerosButNeverMoreThanTheFileCanHold) {
+  const Driven file(path, O_RDONLY);
+  file.disk().expectLength(1ULL << 39U);
+  EXPECT_EQ(H5FDget_eof(file.file(), H5FD_MEM_DEFAULT), 1ULL << 39U);
+  std::string out(10, '?');
+  EXPECT_TRUE(file.reads(1ULL << 38U, out));
+  EXPECT_EQ(out, std::string(10, '\0'));
+  out.resize(4U << 20U);
+  EXPECT_FALSE(file.reads(1ULL << 38U, out)) << "longer than the file";
+  out.resize(1);
+  EXPECT_FALSE(file.reads((1ULL << 39U) + (1U << 20U), out));
+  file.disk().expectLength(std::numeric_limits<std::uint64_t>::max());
+  EXPECT_FALSE(file.reads(1ULL << 38U, out)) << "no file is so long";
 }
 
 TEST_F(RecordingDriverCalls, ReadWhatARecorderAddedSinceItWasOpened) {
