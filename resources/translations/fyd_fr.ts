@@ -9350,6 +9350,10 @@ Pour commencer : %1</translation>
         <translation>{} : un export finirait avant l'enregistrement ; `fyd session recover` rend d'abord entier ce qui peut être prouvé, ou exportez jusqu'à une seconde antérieure à {:.3f}</translation>
     </message>
     <message>
+        <source>{}: another recording has this name now; open it again</source>
+        <translation>{} : un autre enregistrement porte maintenant ce nom ; le rouvrir</translation>
+    </message>
+    <message>
         <source>{}: another recording is being started</source>
         <translation>{} : un autre enregistrement est en train de commencer</translation>
     </message>
@@ -9668,6 +9672,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: no line --- between the card's head and its rows; expected one</source>
         <translation>{} : aucune ligne --- entre l'en-tête de la carte et ses lignes ; une attendue</translation>
+    </message>
+    <message>
+        <source>{}: no longer there, moved or deleted: notes would stand beside nothing</source>
+        <translation>{} : n'est plus là, déplacé ou supprimé : les notes ne seraient à côté de rien</translation>
     </message>
     <message>
         <source>{}: no memory for its variables</source>

@@ -9350,6 +9350,10 @@ Per cominciare: %1</translation>
         <translation>{}: un'esportazione finirebbe prima della registrazione; `fyd session recover` rende prima integro ciò che si può provare, oppure esportare fino a un secondo precedente {:.3f}</translation>
     </message>
     <message>
+        <source>{}: another recording has this name now; open it again</source>
+        <translation>{}: questo nome ora è di un'altra registrazione; riaprirla</translation>
+    </message>
+    <message>
         <source>{}: another recording is being started</source>
         <translation>{}: un'altra registrazione sta iniziando</translation>
     </message>
@@ -9668,6 +9672,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: no line --- between the card's head and its rows; expected one</source>
         <translation>{}: nessuna riga --- tra la testa della scheda e le sue righe; attesa una</translation>
+    </message>
+    <message>
+        <source>{}: no longer there, moved or deleted: notes would stand beside nothing</source>
+        <translation>{}: non c'è più, spostata o cancellata: le note resterebbero accanto a nulla</translation>
     </message>
     <message>
         <source>{}: no memory for its variables</source>

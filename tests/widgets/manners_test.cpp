@@ -1,5 +1,7 @@
 // The window's manners: languages, layouts that come back, a settings file that is damaged, the manual, and a walk over
 // every control of every place: named, with its unit, reached by the Tab key, and seen to have the focus.
+#include <QToolTip>
+
 #include "app/console/review/review_page.h"
 #include "app/console/shell/language.h"
 #include "app/console/window/command_palette.h"
@@ -441,6 +443,26 @@ class MannersTest : public QObject {
     QCOMPARE(help->page()->textCursor().block().text(), QStringLiteral("Camera"));
     emit help->page()->anchorClicked(QUrl(QStringLiteral("../textures/wood.toml")));
     QCOMPARE(help->topic(), QStringLiteral("operate.md#camera"));
+  }
+
+  void everyTextIsShownAsItIsWritten() {
+    Fixture f;
+    for (const QString& place : console::placeNames()) f.window->frame()->go(place);
+    const QList<QLabel*> labels = f.window->findChildren<QLabel*>();
+    QVERIFY(labels.size() > 50);
+    int seen = 0;
+    for (const QLabel* label : labels) {
+      if (!label->isVisible()) continue;
+      ++seen;
+      QVERIFY2(label->textFormat() == Qt::PlainText, qPrintable(label->text()));
+    }
+    QVERIFY(seen > 10);
+    QToolTip::showText({}, QStringLiteral("<b>soft</b> a < b <img src=x>"), f.window.get());
+    const QWidgetList widgets = QApplication::topLevelWidgets();
+    const auto tip = std::ranges::find_if(widgets, [](const QWidget* each) { return each->inherits("QTipLabel"); });
+    QVERIFY(tip != widgets.end());
+    QVERIFY(qobject_cast<QLabel*>(*tip)->textFormat() == Qt::PlainText);
+    QToolTip::hideText();
   }
 
   void aPictureOfTheManualIsScaledWithoutAPatternOfDots() {

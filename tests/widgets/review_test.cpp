@@ -5,11 +5,13 @@
 #include <QFileDialog>
 #include <QMimeData>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 #include "core/catalogue/archive_move.h"
 #include "core/catalogue/catalogue.h"
 #include "core/catalogue/catalogue_delivery.h"
 #include "core/recording/file/recording_place.h"
+#include "core/recording/writer/picture_history.h"
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/suite.h"
 #include "widgets/basics/number_text.h"
@@ -264,6 +266,87 @@ class ReviewTest : public QObject {
     QVERIFY(catalogue::storeClosed(f.path.toStdString(), shelf.toStdString(), "none"));
     const auto moved = recording::readReviewNotes((shelf + QStringLiteral("/session.h5")).toStdString());
     QVERIFY(moved && moved->tags && moved->notes.size() == 1);
+    // The recording that is still open here is no longer at its place.
+    const QString left = QString::fromStdString(recording::reviewNotesPath(f.path.toStdString()));
+    QVERIFY(!QFile::exists(left));
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("to nobody"));
+    QVERIFY(f.told().contains(QStringLiteral("No such file")));
+    QVERIFY(!QFile::exists(left));
+  }
+
+  void whatAnotherWindowWroteMeanwhileStays() {
+    ReviewFixture f;
+    f.openByPath();
+    const std::string path = f.path.toStdString();
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("ours"));
+    auto there = recording::readReviewNotes(path);  // the other window
+    QVERIFY(there && there->notes.size() == 1);
+    there->notes.push_back({.time_s = 0.5, .text = "theirs"});
+    there->tags = std::vector<std::string>{"velvet"};
+    QVERIFY(recording::writeReviewNotes(path, *there));
+    f.page->tagsField()->setText(QStringLiteral("left hand"));
+    QTest::keyClick(f.page->tagsField(), Qt::Key_Return);
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("ours too"));
+    const auto now = recording::readReviewNotes(path);
+    QVERIFY(now && now->notes.size() == 3);
+    QVERIFY(now->tags == (std::vector<std::string>{"left hand", "velvet"}));
+    QCOMPARE(f.page->tagsField()->text(), QStringLiteral("left hand, velvet"));
+    const auto shown = [&] {
+      QStringList words;
+      for (int row = 0; row < f.page->notes()->rowCount(); ++row) words << f.page->notes()->item(row, 2)->text();
+      return words;
+    };
+    QVERIFY(shown().contains(QStringLiteral("theirs")));
+  }
+
+  void ofAnotherRecordingUnderTheSameNameNothingIsMade() {
+    ReviewFixture f;
+    f.openByPath();
+    const QString other = makeRecording(f.folder, QStringLiteral("other.h5"));
+    QVERIFY(QFile::remove(f.path) && QFile::rename(other, f.path));
+    const QString why = QStringLiteral("another recording has this name now");
+    f.page->noteField()->setText(QStringLiteral("soft"));
+    QTest::keyClick(f.page->noteField(), Qt::Key_Return);
+    QVERIFY2(f.told().contains(why), qPrintable(f.told()));
+    QVERIFY(!QFile::exists(QString::fromStdString(recording::reviewNotesPath(f.path.toStdString()))));
+    f.page->exports()->exportAs(QStringLiteral("csv"));
+    WAIT_FOR(f.page->exports()->underWay().isEmpty());
+    QVERIFY(!QFile::exists(f.folder.filePath(QStringLiteral("session.csv"))));
+    f.page->whatIf()->run();
+    WAIT_FOR(f.page->whatIf()->words().contains(why));
+    // Opened again it is the other one, and the note that was refused is not left for it.
+    QVERIFY(f.page->open(f.path));
+    QVERIFY(f.page->noteField()->text().isEmpty());
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("hard"));
+    QCOMPARE(recording::readReviewNotes(f.path.toStdString())->notes.size(), std::size_t{1});
+  }
+
+  void aPictureThatCannotBeReadIsNotOneThatWasNotTaken() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("pictures.h5"));
+    auto writer = recording::RecordingWriter::create(
+        path.toStdString(), {.id = std::string(32, 'c'), .started = Instant(std::chrono::seconds(100))});
+    QVERIFY(writer);
+    cv::Mat noise(240, 320, CV_8UC1);
+    cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 255);
+    for (std::uint64_t i = 0; i < kRows; ++i) {
+      QVERIFY((*writer)->append(row(i, kPress)));
+      if (i != 1000 && i != 3000) continue;
+      QVERIFY((*writer)->append(recording::encodePicture(
+          {.picture = noise, .region_px = {10, 10, 300, 200}, .taken = row(i, kPress).inputs.now, .number = i})));
+    }
+    QVERIFY((*writer)->close());
+    const auto opened = recording::Recording::open(path.toStdString());
+    QVERIFY(opened);
+    console::ReviewCamera camera;
+    const auto words = [&](double time_s) {
+      camera.showAt(opened->get(), time_s);
+      return camera.findChild<QLabel*>()->text();
+    };
+    QCOMPARE(words(0.5), QStringLiteral("No picture was taken before the cursor."));
+    QVERIFY(!words(1.5).contains(QStringLiteral("No picture")));
+    QVERIFY(QFile::resize(path, 1'100'000));
+    QVERIFY2(words(3.5).startsWith(path), qPrintable(words(3.5)));
   }
 
   void aStretchIsExportedAndItsFolderShown() {

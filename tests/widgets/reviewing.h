@@ -1,6 +1,8 @@
 // The place "Review" with a recording made here, whose numbers are known, and its hands.
 #pragma once
 
+#include <QCryptographicHash>
+
 #include "app/console/review/review_page.h"
 #include "core/recording/writer/recording_writer.h"
 #include "core/sensing/tare.h"
@@ -36,11 +38,12 @@ inline recording::StepRecord row(std::uint64_t i, std::uint64_t press) {
 inline QString makeRecording(const QTemporaryDir& folder, const QString& name, std::uint64_t press = kPress,
                              bool killed = false, bool tared = false) {
   QString path = folder.filePath(name);
-  recording::RecordingHeader header{.id = std::string(32, 'a'),
-                                    .started_utc = "2026-11-21T10:00:00.000Z",
-                                    .started = Instant(std::chrono::seconds(100)),
-                                    .operator_name = "M. Muster",
-                                    .subject = "S07"};
+  recording::RecordingHeader header{
+      .id = QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Md5).toHex().toStdString(),
+      .started_utc = "2026-11-21T10:00:00.000Z",
+      .started = Instant(std::chrono::seconds(100)),
+      .operator_name = "M. Muster",
+      .subject = "S07"};
   auto writer = recording::RecordingWriter::create(path.toStdString(), header);
   if (!writer) qFatal("%s", writer.error().text().c_str());
   bool good = true;

@@ -13,7 +13,6 @@ using widgets::kGrid;
 CalibrationEntryForm::CalibrationEntryForm(QWidget* parent) : QWidget(parent), problem_(new QLabel(this)) {
   problem_->setObjectName(QStringLiteral("entry_problem"));
   problem_->setProperty("role", "warning");
-  problem_->setTextFormat(Qt::PlainText);  // the text quotes the operator's input
   problem_->setWordWrap(true);
   problem_->hide();
   auto* layout = new QVBoxLayout(this);

@@ -8,6 +8,14 @@
 #include "widgets/basics/theme.h"
 
 namespace fyd::console {
+namespace {
+
+bool beforeTheFirst(const recording::Recording& recording, double time_s) {
+  const auto first = recording.picture(0);
+  return first && time_s < first->time_s;
+}
+
+}  // namespace
 
 using widgets::numberText;
 
@@ -32,7 +40,8 @@ void ReviewCamera::showAt(const recording::Recording* recording, double time_s) 
   if (!picture) {
     shown_ = 0;
     camera_->setPicture({});
-    words_->setText(tr("No picture was taken before the cursor."));
+    words_->setText(beforeTheFirst(*recording, time_s) ? tr("No picture was taken before the cursor.")
+                                                       : widgets::coreText(picture.error().message));
     return;
   }
   if (picture->number == shown_) return;

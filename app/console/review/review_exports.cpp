@@ -38,7 +38,7 @@ Result<void> writeCard(const std::string& path, const std::string& target, const
 }  // namespace
 
 std::string ReviewExports::targetFor(const QString& ending, const QString& of) const {
-  const QFileInfo file(path_);
+  const QFileInfo file(shown_.path);
   return (file.absolutePath() + QLatin1Char('/') + file.completeBaseName() + of + QLatin1Char('.') + ending)
       .toStdString();
 }
@@ -68,22 +68,22 @@ void ReviewExports::exportShown(const ReviewCurves& curves, const QString& targe
 }
 
 void ReviewExports::exportTo(const std::string& target, const exports::ExportOptions& options) {
-  if (path_.isEmpty()) return;
-  run(target, [path = path_.toStdString(), target, options](const recording::Progress& progress) {
+  if (shown_.isNone()) return;
+  run(target, [path = shown_.path.toStdString(), target, options](const recording::Progress& progress) {
     return write(path, target, options, progress);
   });
 }
 
 void ReviewExports::exportCard(const exports::Touch& touch, int number) {
-  if (path_.isEmpty()) return;
-  const QFileInfo file(path_);
+  if (shown_.isNone()) return;
+  const QFileInfo file(shown_.path);
   const QString base =
       tr("%1 touch %2").arg(file.absolutePath() + QLatin1Char('/') + file.completeBaseName()).arg(number);
   QString target = base + QStringLiteral(".gesture");
   for (int next = 2; QFileInfo::exists(target); ++next) target = base + QStringLiteral(" (%1).gesture").arg(next);
   run(
       target.toStdString(),
-      [path = path_.toStdString(), target = target.toStdString(), touch, number](const recording::Progress&) {
+      [path = shown_.path.toStdString(), target = target.toStdString(), touch, number](const recording::Progress&) {
         return writeCard(path, target, touch, static_cast<std::size_t>(number));
       },
       tr("The simulated finger plays it: Operate, Finger, Gesture card."));
@@ -97,8 +97,8 @@ void ReviewExports::run(const std::string& target, Write write, const QString& t
   }
   auto* work = works_[target] = new LongWork(bars_, this);
   work->run(tr("Writing %1").arg(QFileInfo(name).fileName()),
-            [this, target, write = std::move(write), then](const recording::Progress& progress) {
-              const auto done = guarded([&] { return write(progress); });
+            [this, target, shown = shown_, write = std::move(write), then](const recording::Progress& progress) {
+              const auto done = guarded([&] { return shown.isStillThere().and_then([&] { return write(progress); }); });
               return [this, done, target, then] { finish(target, done, then); };
             });
 }

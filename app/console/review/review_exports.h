@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/console/review/review_curves.h"
+#include "app/console/review/shown_recording.h"
 #include "app/console/shell/long_work.h"
 #include "core/export/export_recording.h"
 #include "core/export/touches.h"
@@ -23,7 +24,7 @@ class ReviewExports : public QObject {
       : QObject(parent), bars_(bars), tell_(std::move(tell)) {}
 
   /// Empty: none. Work under way continues with its own recording.
-  void setRecording(const QString& path) { path_ = path; }
+  void setRecording(const ShownRecording& shown) { shown_ = shown; }
   /// Beside the recording, in the format of the ending: report.html, report.pdf, csv, mat, mcap, mkv.
   void exportAs(const QString& ending);
   /// The same from `from_s` to `to_s`, both included; the file's name says so. Not for reports.
@@ -53,7 +54,7 @@ class ReviewExports : public QObject {
 
   widgets::ProgressBars* bars_ = nullptr;
   Tell tell_;
-  QString path_;
+  ShownRecording shown_;
   std::map<std::string, LongWork*> works_;  // by the file each writes
 };
 

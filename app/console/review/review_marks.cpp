@@ -38,10 +38,9 @@ bool movesNothingMore(const pipeline::Event& event) {
 ReviewMarks::ReviewMarks(widgets::SessionOverview* overview, NoteTable* table, QString catalogue, Tell tell)
     : overview_(overview), table_(table), tell_(std::move(tell)), catalogue_(std::move(catalogue)) {}
 
-void ReviewMarks::open(const QString& path) {
-  path_ = path.toStdString();
-  auto review = recording::readReviewNotes(path_);
-  damaged_ = !review;
+void ReviewMarks::open(const ShownRecording& shown) {
+  shown_ = shown;
+  auto review = recording::readReviewNotes(shown_.path.toStdString());
   review_ = review ? std::move(*review) : recording::ReviewNotes{};
   if (!review) tell_(Severity::warning, widgets::coreText(review.error().message));
 }
@@ -54,7 +53,6 @@ void ReviewMarks::show(const recording::Recording& recording) {
     lines.push_back({at_s, kind, text});
   };
   const recording::RecordingInfo& info = recording.info();
-  id_ = info.header.id;
   own_tags_ = info.header.tags;
   pipeline::Parameters parameters;
   const auto bound = bindParameters(parameters);
@@ -91,9 +89,7 @@ bool ReviewMarks::write(recording::NoteKind kind, const QString& text, double at
                                    .kind = kind,
                                    .text = what.toStdString(),
                                    .written_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
-  auto review = review_;
-  review.notes.push_back(note);
-  return save(std::move(review), {.note = note, .tags_added = {}, .tags_removed = {}});
+  return save({.note = note, .tags_added = {}, .tags_removed = {}});
 }
 
 QStringList ReviewMarks::tags() const {
@@ -117,23 +113,35 @@ bool ReviewMarks::writeTags(const QString& text) {
   std::ranges::set_difference(wanted, former, std::back_inserter(change.tags_added));
   std::ranges::set_difference(former, wanted, std::back_inserter(change.tags_removed));
   if (change.tags_added.empty() && change.tags_removed.empty()) return true;
-  auto review = review_;
-  review.tags = std::vector<std::string>(wanted.begin(), wanted.end());
-  return save(std::move(review), std::move(change));
+  return save(std::move(change));
 }
 
-bool ReviewMarks::save(recording::ReviewNotes review, catalogue::ReviewChange change) {
-  if (damaged_) {
-    tell_(Severity::warning, tr("Nothing is written: the file of notes is damaged. Mend or move %1.")
-                                 .arg(QString::fromStdString(recording::reviewNotesPath(path_))));
+bool ReviewMarks::save(catalogue::ReviewChange change) {
+  const std::string path = shown_.path.toStdString();
+  if (auto still = shown_.isStillThere(); !still) {
+    tell_(Severity::warning, widgets::coreText(still.error().message));
     return false;
   }
-  if (auto written = recording::writeReviewNotes(path_, review); !written) {
+  auto review = recording::readReviewNotes(path);
+  if (!review) {
+    tell_(Severity::warning, tr("Nothing is written: the file of notes is damaged. Mend or move %1.")
+                                 .arg(QString::fromStdString(recording::reviewNotesPath(path))));
+    return false;
+  }
+  if (change.note) review->notes.push_back(*change.note);
+  if (!change.tags_added.empty() || !change.tags_removed.empty()) {
+    const auto& now = review->tags.value_or(own_tags_);
+    std::set<std::string> tags(now.begin(), now.end());
+    tags.insert(change.tags_added.begin(), change.tags_added.end());
+    for (const std::string& each : change.tags_removed) tags.erase(each);
+    review->tags = std::vector<std::string>(tags.begin(), tags.end());
+  }
+  if (auto written = recording::writeReviewNotes(path, *review); !written) {
     tell_(Severity::warning, widgets::coreText(written.error().message));
     return false;
   }
-  review_ = std::move(review);
-  deliver({id_, std::move(change)});
+  review_ = std::move(*review);
+  deliver({shown_.id, std::move(change)});
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/console/review/review_tables.h"
+#include "app/console/review/shown_recording.h"
 #include "app/console/shell/background.h"
 #include "core/catalogue/catalogue_delivery.h"
 #include "core/recording/reader/review_notes.h"
@@ -25,7 +26,7 @@ class ReviewMarks {
   ReviewMarks(widgets::SessionOverview* overview, NoteTable* table, QString catalogue, Tell tell);
 
   /// Reads the notes beside the recording; errors are shown as a notice.
-  void open(const QString& path);
+  void open(const ShownRecording& shown);
   void show(const recording::Recording& recording);
   /// A note at `at_s`, into the file beside the recording. @return whether it was written; else a notice says why
   bool write(recording::NoteKind kind, const QString& text, double at_s);
@@ -40,19 +41,18 @@ class ReviewMarks {
     std::string id;  ///< of the recording
     catalogue::ReviewChange change;
   };
-  bool save(recording::ReviewNotes review, catalogue::ReviewChange change);
+  /// Changes the notes as they stand in the file by now, for another window may have written there too.
+  bool save(catalogue::ReviewChange change);
   void deliver(Change change);
   void deliverNext();
 
   widgets::SessionOverview* overview_ = nullptr;
   NoteTable* table_ = nullptr;
   Tell tell_;
-  std::string path_;
+  ShownRecording shown_;
   QString catalogue_;
-  std::string id_;
   std::vector<std::string> own_tags_;  // of the recording
   recording::ReviewNotes review_;
-  bool damaged_ = false;         // the file is damaged: it is not overwritten
   std::vector<Change> waiting_;  // the first is under way
   Background work_;
 };

@@ -266,7 +266,8 @@ bool ReviewPage::open(const QString& path) {
   recent_.add(path);
   recording_ = std::move(*opened);
   path_ = path;
-  exports_->setRecording(path);
+  const ShownRecording shown{.path = path, .id = recording_->info().header.id};
+  exports_->setRecording(shown);
   curve_tools_->saver().setFolder(QFileInfo(path).absolutePath());
   curve_tools_->saver().setStem(QFileInfo(path).completeBaseName() + tr(" curves"));
   const double duration_s = recording_->info().duration_s;
@@ -274,11 +275,12 @@ bool ReviewPage::open(const QString& path) {
   curves_->setDuration(duration_s);
   curves_->stack()->clearMarks();
   if (const auto felt = recording::recordedParameters(recording_->info().header)) drawLimits(*curves_->stack(), *felt);
-  tabs_->open(path);
-  marks_.open(path);
+  tabs_->open(shown);
+  marks_.open(shown);
+  note_field_->clear();  // a note that could not be written was the former recording's
   describe();
   marks_.show(*recording_);
-  tags_field_->setText(marks_.tags().join(QStringLiteral(", ")));
+  showTags();
   showPart(1);
   player_.setRecording(recording_.get());
   curves_->show(0.0, std::min(duration_s, 30.0));
@@ -338,15 +340,19 @@ void ReviewPage::writeNote(recording::NoteKind kind, const QString& text) {
   if (!recording_ || !marks_.write(kind, text, player_.time_s())) return;
   note_field_->clear();
   marks_.show(*recording_);
+  if (!tags_field_->isModified()) showTags();
   note_table_->showAt(player_.time_s(), text.trimmed());
   curves_->setFocus();  // the keys of the place work again
 }
 
 void ReviewPage::writeTags() {
   if (!recording_ || !marks_.writeTags(tags_field_->text())) return;
-  tags_field_->setText(marks_.tags().join(QStringLiteral(", ")));
+  showTags();
+  marks_.show(*recording_);
   curves_->setFocus();
 }
+
+void ReviewPage::showTags() { tags_field_->setText(marks_.tags().join(QStringLiteral(", "))); }
 
 void ReviewPage::addCommands(PlaceCommands& commands) {
   const auto add = [&](const char* id, const char* text, const char* icon, const char* keys, auto run) {

@@ -83,6 +83,7 @@ class ReviewPage : public Page {
   void describe();
   void look(double time_s);
   void showEnvelope();
+  void showTags();
   /// In the panel that exports from A to B.
   void showMarks();
 

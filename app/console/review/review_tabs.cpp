@@ -56,11 +56,11 @@ QWidget* ReviewTabs::buildTouches() {
   return out;
 }
 
-void ReviewTabs::open(const QString& path) {
-  path_ = path;
+void ReviewTabs::open(const ShownRecording& shown) {
+  shown_ = shown;
   clearFigures();
   showTouches({});
-  what_if_->setRecording(path);
+  what_if_->setRecording(shown);
   findTouches();
 }
 
@@ -80,7 +80,7 @@ void ReviewTabs::showTouches(const std::vector<exports::Touch>& touches) {
 
 void ReviewTabs::findTouches() {
   touch_table_->setEmptyText(tr("Looking for touches …"));
-  touch_search_.look(path_, [this](const auto& found) {
+  touch_search_.look(shown_.path, [this](const auto& found) {
     touch_table_->setEmptyText(found ? tr("The finger never pressed in this session.")
                                : touch_search_.cancelled()
                                    ? tr("The search was cancelled. Open the session again to look for touches.")
@@ -101,9 +101,10 @@ void ReviewTabs::showFigures(double a_s, double b_s) {
   setCurrentWidget(figures_table_);
   if (!std::isfinite(a_s) || !std::isfinite(b_s)) return;
   using Figures = Result<std::vector<StretchFigures>>;
-  const auto work = [this, path = path_.toStdString(), a_s, b_s](const recording::Progress& progress) {
+  const auto work = [this, shown = shown_, a_s, b_s](const recording::Progress& progress) {
     auto figures = std::make_shared<Figures>(guarded([&]() -> Figures {
-      auto opened = recording::Recording::open(path);
+      if (auto still = shown.isStillThere(); !still) return tl::unexpected(still.error());
+      auto opened = recording::Recording::open(shown.path.toStdString());
       return opened ? figuresBetween(**opened, a_s, b_s, progress) : Figures(tl::unexpected(opened.error()));
     }));
     return [this, figures, a_s, b_s] {

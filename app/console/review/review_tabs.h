@@ -9,6 +9,7 @@
 #include "app/console/review/review_comparison.h"
 #include "app/console/review/review_exports.h"
 #include "app/console/review/review_tables.h"
+#include "app/console/review/shown_recording.h"
 #include "app/console/review/touch_search.h"
 #include "app/console/review/what_if_panel.h"
 #include "app/console/shell/long_work.h"
@@ -23,7 +24,7 @@ class ReviewTabs : public QTabWidget {
   ReviewTabs(const PageContext& context, widgets::ProgressBars* bars, ReviewExports* exports, QWidget* parent);
 
   /// Begins to look for touches.
-  void open(const QString& path);
+  void open(const ShownRecording& shown);
   /// Ends what is computed, and forgets the recording.
   void close();
   /// Shows the figures between two times; nothing happens before both are known.
@@ -51,7 +52,7 @@ class ReviewTabs : public QTabWidget {
 
   PageContext context_;
   ReviewExports* exports_ = nullptr;
-  QString path_;
+  ShownRecording shown_;
   TouchTable* touch_table_ = nullptr;
   QToolButton* card_ = nullptr;
   FiguresTable* figures_table_ = nullptr;

@@ -133,11 +133,11 @@ void WhatIfPanel::build() {
   layout->addStretch(1);
 }
 
-void WhatIfPanel::setRecording(const QString& path) {
+void WhatIfPanel::setRecording(const ShownRecording& shown) {
   work_.drop();
-  path_ = path;
+  shown_ = shown;
   words_->clear();
-  run_->setEnabled(!path.isEmpty());
+  run_->setEnabled(!shown.isNone());
   emit replayed(nullptr);
 }
 
@@ -163,16 +163,19 @@ void WhatIfPanel::addSetting() {
 }
 
 void WhatIfPanel::run() {
-  if (path_.isEmpty()) return;
+  if (shown_.isNone()) return;
   replay::ReplayOptions options;
   options.closed_loop = closed_loop_->isChecked();
   for (int i = 0; i < settings_->count(); ++i) options.settings.push_back(settings_->item(i)->text().toStdString());
   words_->setText(tr("Running …"));
   run_->setEnabled(false);
-  work_.run(tr("Running %1 again").arg(QFileInfo(path_).fileName()),
-            [this, path = path_.toStdString(), options](const recording::Progress& progress) {
+  work_.run(tr("Running %1 again").arg(QFileInfo(shown_.path).fileName()),
+            [this, shown = shown_, options](const recording::Progress& progress) {
               std::shared_ptr<widgets::CurveBuffer> curves;
-              auto result = guarded([&] { return replayFile(path, options, progress, curves); });
+              auto result = guarded([&] {
+                return shown.isStillThere().and_then(
+                    [&] { return replayFile(shown.path.toStdString(), options, progress, curves); });
+              });
               return [this, result = std::move(result), curves] { finish(result, curves); };
             });
 }

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "app/console/review/review_source.h"
+#include "app/console/review/shown_recording.h"
 #include "app/console/shell/long_work.h"
 #include "core/replay/replay.h"
 
@@ -22,7 +23,7 @@ class WhatIfPanel : public QWidget {
   explicit WhatIfPanel(widgets::ProgressBars* bars, QWidget* parent = nullptr);
 
   /// Empty: none. Drops the result of the former recording.
-  void setRecording(const QString& path);
+  void setRecording(const ShownRecording& shown);
   void run();
   [[nodiscard]] QString words() const { return words_->text(); }
   [[nodiscard]] QComboBox* parameter() const { return parameter_; }
@@ -40,7 +41,7 @@ class WhatIfPanel : public QWidget {
   void addSetting();
   void finish(const Result<replay::ReplayResult>& result, std::shared_ptr<const widgets::CurveBuffer> curves);
 
-  QString path_;
+  ShownRecording shown_;
   QComboBox* parameter_ = nullptr;
   QLineEdit* value_ = nullptr;
   QPushButton* add_ = nullptr;

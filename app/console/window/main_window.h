@@ -13,6 +13,7 @@
 #include "app/console/shell/connection_change.h"
 #include "app/console/shell/dock_set.h"
 #include "app/console/shell/key_guard.h"
+#include "app/console/shell/plain_texts.h"
 #include "app/console/shell/session.h"
 #include "app/console/shell/session_feed.h"
 #include "app/console/shell/tuning_bridge.h"
@@ -121,6 +122,7 @@ class MainWindow : public QMainWindow {
   /// A notice that a file is written, with a button that shows its folder.
   void tellWritten(const QString& text, const QString& file);
 
+  PlainTexts plain_texts_;  // before there is a label
   std::unique_ptr<Session> session_;
   QString catalogue_;
   WindowMemory memory_;
