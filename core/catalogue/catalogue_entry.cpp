@@ -36,11 +36,11 @@ Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
                        .station = stationName(),
                        .started_utc = header.started_utc,
                        .duration_s = info.duration_s,
-                       .operator_name = cleanedText(header.operator_name, false),
-                       .subject = cleanedText(header.subject, false),
-                       .notes = cleanedText(header.notes, true),
-                       .touchpad = cleanedText(header.touchpad, false),
-                       .robot = cleanedText(header.robot, false),
+                       .operator_name = header.operator_name,
+                       .subject = header.subject,
+                       .notes = header.notes,
+                       .touchpad = header.touchpad,
+                       .robot = header.robot,
                        .samples = info.committed_samples,
                        .gaps = info.gaps,
                        .events = info.events,
@@ -52,10 +52,8 @@ Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
   if (review) {
     for (const recording::ReviewNote& note : review->notes) entry.notes = withNote(entry.notes, note);
   }
-  for (const std::string& tag : review && review->tags ? *review->tags : header.tags) {
-    std::string clean = cleanedText(tag, false);
-    if (!splitWords(clean).empty()) entry.tags.push_back(std::move(clean));
-  }
+  entry.tags = review && review->tags ? *review->tags : header.tags;
+  entry = withFittingTexts(std::move(entry));
   if (auto ok = checkEntry(entry); !ok) return fail(about(path, ok.error().message));
   return entry;
 }

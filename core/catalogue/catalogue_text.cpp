@@ -16,6 +16,7 @@ namespace utf = boost::locale::conv;
 
 constexpr std::size_t kLongestField = 4096;
 constexpr std::size_t kLongestNotes = std::size_t{1024} * 1024;
+constexpr std::size_t kLongestTag = 200;
 constexpr std::size_t kMostTags = 100;
 
 bool isControl(wchar_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
@@ -43,6 +44,15 @@ bool isId(std::string_view id) {
   });
 }
 
+/// At most so many bytes.
+std::string cut(std::string text, std::size_t longest) {
+  constexpr std::string_view kMore = "…";
+  if (text.size() <= longest) return text;
+  std::size_t end = longest - kMore.size();
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // within a character
+  return text.substr(0, end).append(kMore);
+}
+
 /// Lower case by glibc's table of all scripts, independent of the user's locale.
 wchar_t smallLetter(wchar_t c) {
   static const locale_t kTable = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
@@ -58,7 +68,7 @@ Result<void> checkTags(const std::vector<std::string>& tags) {
   if (tags.size() > kMostTags) return fail("tags: {}, at most {} are catalogued", tags.size(), kMostTags);
   for (const std::string& tag : tags) {
     if (splitWords(tag).empty()) return fail("tag '{}': empty", tag);
-    if (auto ok = checkText("tag", tag, 200); !ok) return ok;
+    if (auto ok = checkText("tag", tag, kLongestTag); !ok) return ok;
   }
   return {};
 }
@@ -123,6 +133,17 @@ std::string cleanedText(std::string_view text, bool lines) {
   std::ranges::replace_if(
       wide, [lines](wchar_t c) { return isControl(c) && !(lines && isLine(c)); }, L' ');
   return utf::utf_to_utf<char>(wide);
+}
+
+CatalogueEntry withFittingTexts(CatalogueEntry entry) {
+  for (std::string* text : {&entry.operator_name, &entry.subject, &entry.touchpad, &entry.robot}) {
+    *text = cut(cleanedText(*text, false), kLongestField);
+  }
+  entry.notes = cut(cleanedText(entry.notes, true), kLongestNotes);
+  for (std::string& tag : entry.tags) tag = cut(cleanedText(tag, false), kLongestTag);
+  std::erase_if(entry.tags, [](const std::string& tag) { return splitWords(tag).empty(); });
+  entry.tags.resize(std::min(entry.tags.size(), kMostTags));
+  return entry;
 }
 
 Result<UtcSpan> parseUtc(std::string_view text) {

@@ -27,9 +27,11 @@ namespace fyd::catalogue {
 /// Pattern for `LIKE … ESCAPE '!'` that matches the text at any position.
 [[nodiscard]] std::string likeAnywhere(std::string_view text);
 
-/// Bytes that are no UTF-8 are left out, control characters become spaces (line ends and tabs stay if `lines`): for
-/// texts that come from a file and must not keep its recording out of the catalogue.
+/// Bytes that are no UTF-8 are left out, control characters become spaces (line ends and tabs stay if `lines`).
 [[nodiscard]] std::string cleanedText(std::string_view text, bool lines);
+/// For an entry whose texts come from a file and must not keep its recording out of the catalogue: they are cleaned, and
+/// what is too long is cut and ends in …; empty tags and those beyond the most are left out.
+[[nodiscard]] CatalogueEntry withFittingTexts(CatalogueEntry entry);
 
 /// The span that a time text denotes: a day, a minute, a second or a millisecond of UTC. Milliseconds since 1970;
 /// `end_ms` is exclusive.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/pipeline/parameters.h"
+#include "core/recording/reader/review_notes.h"
 
 namespace fyd::exports {
 namespace {
@@ -99,6 +100,27 @@ std::string cleanText(std::string_view text) {
   return clean;
 }
 
+namespace {
+
+void addReviewNotes(const std::string& path, std::vector<LogLine>& lines) {
+  if (path.empty()) return;
+  const auto review = recording::readReviewNotes(path);
+  if (!review) {
+    lines.push_back({.kind = toString(recording::NoteKind::alarm),
+                     .text = cleanText(review.error().text()),
+                     .weight = LogWeight::serious});
+    return;
+  }
+  for (const recording::ReviewNote& note : review->notes) {
+    lines.push_back({.time_s = note.time_s,
+                     .kind = note.kind == recording::NoteKind::bookmark ? "bookmark in review" : "note in review",
+                     .text = cleanText(note.text),
+                     .weight = LogWeight::marked});
+  }
+}
+
+}  // namespace
+
 Result<std::vector<LogLine>> logLines(const recording::Recording& recording) {
   const auto events = recording.events();
   if (!events) return tl::unexpected(events.error());
@@ -118,6 +140,7 @@ Result<std::vector<LogLine>> logLines(const recording::Recording& recording) {
                      .text = cleanText(note.text),
                      .weight = note.kind == recording::NoteKind::alarm ? LogWeight::serious : LogWeight::marked});
   }
+  addReviewNotes(recording.info().path, lines);
   std::ranges::stable_sort(lines, {}, &LogLine::time_s);
   return lines;
 }

@@ -1,4 +1,4 @@
-// The log of a recording in words: events of the step and the operator's notes, in the order of time.
+// The log of a recording in words: events of the step, the operator's notes and those of a review, in the order of time.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct LogLine {
 /// An event in words: "control.kp = 0.5", "held: robot silent".
 [[nodiscard]] std::string describeEvent(const pipeline::Event& event);
 
-/// The whole log, as valid UTF-8.
+/// The whole log, as valid UTF-8. Notes of a review that cannot be read are a serious line that says why.
 [[nodiscard]] Result<std::vector<LogLine>> logLines(const recording::Recording& recording);
 
 /// Bytes that are no UTF-8 and control characters other than line ends and tabs become U+FFFD.

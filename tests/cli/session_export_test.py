@@ -163,6 +163,24 @@ class Exports(fyd.Case):
             pdf = file.read()
         self.assertTrue(pdf.startswith(b"%PDF-") and pdf.rstrip().endswith(b"%%EOF"))
 
+    def test_notes_of_a_review_are_in_exports_and_reports(self):
+        beside = self.file + ".notes.json"
+        self.addCleanup(os.remove, beside)
+        with open(beside, "w", encoding="utf-8") as file:
+            fyd.json.dump({"notes": [{"time_s": 2.5, "kind": "note", "text": "squeaks <here>"},
+                                     {"time_s": 1.25, "kind": "bookmark", "text": "dent"}]}, file)
+        self.export("n.csv")
+        noted = [(row["time_s [s]"], row["kind"], row["text"]) for row in self.rows("n.events.csv")
+                 if "review" in row["kind"]]
+        self.assertEqual(noted, [("1.25", "bookmark in review", "dent"), ("2.5", "note in review", "squeaks <here>")])
+        self.json("session", "report", self.file, self.path("n.html"), "--json")
+        with open(self.path("n.html"), encoding="utf-8") as file:
+            self.assertIn("squeaks &lt;here&gt;", file.read())
+        with open(beside, "w", encoding="utf-8") as file:
+            file.write("{")
+        self.export("broken.csv")
+        self.assertIn(("alarm", True), {(row["kind"], beside in row["text"]) for row in self.rows("broken.events.csv")})
+
     def test_wrong_wishes_are_refused_and_leave_nothing(self):
         export = ("session", "export", self.file)
         for words, said in ((["a.txt"], ".mcap"), (["a.csv", "--fields", "nothing_N"], "nothing_N"),

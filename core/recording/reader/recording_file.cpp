@@ -19,8 +19,8 @@ constexpr std::uint64_t kFarthestWhole = 1'000;  // pictures to go back for a wh
 
 class Hdf5Recording final : public DamagedRecording {
  public:
-  Hdf5Recording(std::string path, bool damaged)
-      : path_(std::move(path)), source_(std::make_unique<RecordingSource>(path_)) {
+  Hdf5Recording(std::string path, bool damaged) : source_(std::make_unique<RecordingSource>(path)) {
+    info_.path = std::move(path);
     info_.header = damaged ? salvageHeader(source_->file()) : readHeader(source_->file());
     missing_.emplace(info_.header.missing);
     indices_.emplace(info_.header);
@@ -36,7 +36,7 @@ class Hdf5Recording final : public DamagedRecording {
   const RecordingInfo& info() const override { return info_; }
 
   Result<bool> refresh() override {
-    return guarded(path_, [&] {
+    return guarded(info_.path, [&] {
       const Wholeness before = info_.wholeness;
       const std::uint64_t commits = commits_;
       // A failed read means that a write is under way, or that the recorder ended in the middle of one.
@@ -154,10 +154,10 @@ class Hdf5Recording final : public DamagedRecording {
   /// is incomplete in its place is complete in the journal.
   template <class Work>
   auto reading(Work&& work) const -> Result<decltype(work())> {
-    auto result = guarded(path_, work);
+    auto result = guarded(info_.path, work);
     if (result || !source_->recorderEnded()) return result;
-    if (const auto anew = guarded(path_, [&] { openAnew(); }); !anew) return tl::unexpected(anew.error());
-    return guarded(path_, work);
+    if (const auto anew = guarded(info_.path, [&] { openAnew(); }); !anew) return tl::unexpected(anew.error());
+    return guarded(info_.path, work);
   }
 
   /// @return whether what was committed since could be read
@@ -280,7 +280,6 @@ class Hdf5Recording final : public DamagedRecording {
     return {};
   }
 
-  std::string path_;
   RecordingInfo info_;
   std::uint64_t commits_ = 0;  // that info_ describes
   mutable std::unique_ptr<RecordingSource> source_;

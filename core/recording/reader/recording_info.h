@@ -23,6 +23,7 @@ enum class Wholeness : std::uint8_t {
 };
 
 struct RecordingInfo {
+  std::string path;  ///< by which it was opened
   RecordingHeader header;
   Wholeness wholeness = Wholeness::whole;
   double duration_s = 0.0;

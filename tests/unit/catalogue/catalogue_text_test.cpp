@@ -64,6 +64,30 @@ TEST(CatalogueText, CaseIsFoldedInEveryScript) {
   EXPECT_EQ(cleanedText("a\x1b[31m\xff\nb", false), "a [31m b");
 }
 
+TEST(CatalogueText, WhatAFileSaysIsMadeToFit) {
+  CatalogueEntry entry = entryOf("abc");
+  entry.operator_name = std::string(5000, 'A');
+  entry.subject = "x" + std::string(2047, 'y') + [] {
+    std::string wide;
+    for (int i = 0; i < 1100; ++i) wide += "é";  // the cut falls within one
+    return wide;
+  }();
+  entry.notes = std::string(2'000'000, 'n') + "\x1b";
+  entry.tags = {std::string(300, 't'), " \t", "", "soft\n"};
+  for (int i = 0; i < 200; ++i) entry.tags.push_back(std::to_string(i));
+  ASSERT_FALSE(checkEntry(entry));
+  const CatalogueEntry fits = withFittingTexts(entry);
+  const auto good = checkEntry(fits);
+  EXPECT_TRUE(good) << good.error().text();
+  EXPECT_EQ(fits.operator_name, std::string(4093, 'A') + "…");
+  EXPECT_EQ(fits.tags.size(), 100U);
+  EXPECT_EQ(fits.tags[1], "soft ");
+  EXPECT_THAT(fits.subject, testing::EndsWith("é…"));
+  EXPECT_THAT(fits.notes, testing::EndsWith("n…"));
+  EXPECT_EQ(withFittingTexts(entryOf("abc")).notes, entryOf("abc").notes);
+  EXPECT_EQ(withFittingTexts(entryOf("abc")).tags, entryOf("abc").tags);
+}
+
 TEST(CatalogueText, WhatMayNotGoInIsNamed) {
   const auto refusal = [](auto change) {
     CatalogueEntry entry = entryOf("abc");
