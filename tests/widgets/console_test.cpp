@@ -538,6 +538,10 @@ class ConsoleTest : public QObject {
       QVERIFY2(place.isEmpty() || !own.intersects(keys[QString()]), qPrintable(place));
     }
     f.window->palette()->open();
+    f.window->palette()->field()->setText(QStringLiteral("THEME  light"));  // in any order
+    QCOMPARE(f.window->palette()->list()->count(), 1);
+    QVERIFY(f.window->palette()->list()->item(0)->text().startsWith(QStringLiteral("Light theme")));
+    f.window->palette()->field()->clear();
     QTest::keyClicks(f.window->palette()->field(), QStringLiteral("tare"));
     QTest::keyClick(f.window->palette()->field(), Qt::Key_Return);
     QCOMPARE(f.session->count(OperatorAction::tare), 1);

@@ -133,6 +133,7 @@ class RecordingTest : public QObject {
     f.waitForDisk();
     QCOMPARE(f.session->recordings.size(), std::size_t{1});
     QVERIFY(f.told().startsWith(QStringLiteral("Recording into ")));
+    QVERIFY(f.form->stopButton()->hasFocus());
 
     f.session->disk_waits = true;
     QTest::mouseClick(f.form->stopButton(), Qt::LeftButton);
@@ -142,6 +143,7 @@ class RecordingTest : public QObject {
     f.waitForDisk();
     QCOMPARE(f.session->recording_stops, 1);
     QVERIFY(f.told().startsWith(QStringLiteral("Recording closed: ")));
+    QVERIFY(f.form->startButton()->hasFocus());
 
     // A disk that refuses after a while: it can be tried again.
     f.session->disk_waits = true;
@@ -152,6 +154,7 @@ class RecordingTest : public QObject {
     f.session->disk_waits = false;
     f.waitForDisk();
     QVERIFY(f.told().startsWith(QStringLiteral("Not recording.")));
+    QVERIFY(f.form->startButton()->hasFocus());
     f.session->refuses = false;
   }
 

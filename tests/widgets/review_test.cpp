@@ -274,6 +274,17 @@ class ReviewTest : public QObject {
     QVERIFY(!QFile::exists(left));
   }
 
+  void aClickOnTheCurvesGivesThePlaceItsKeysBack() {
+    ReviewFixture f;
+    f.openByPath();
+    for (const double time_s : {1.0, 2.0}) {
+      f.page->whatIf()->value()->setFocus();
+      time_s > 1.5 ? emit f.page->overview()->cursorAsked(time_s) : emit f.page->curves()->stack()->clicked(time_s);
+      QVERIFY(f.page->curves()->hasFocus());
+      QCOMPARE(f.page->player()->time_s(), time_s);
+    }
+  }
+
   void whatAnotherWindowWroteMeanwhileStays() {
     ReviewFixture f;
     f.openByPath();

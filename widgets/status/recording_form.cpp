@@ -153,10 +153,12 @@ void RecordingForm::setRecording(const RecordingView& view) {
   const bool was = view_.state == RecordingView::State::recording;
   const bool is = view.state == RecordingView::State::recording;
   view_ = view;
+  const bool loses_focus = was != is && isAncestorOf(QApplication::focusWidget());
   before_->setVisible(!is);
   start_->setVisible(!is);
   during_->setVisible(is);
   stop_->setVisible(is);
+  if (loses_focus) keepFocus();
   if (is) {
     QStringList words = {view.file, tr("%1, %2").arg(clockText(view.seconds), bytesText(view.bytes)),
                          timeLeftText(view.minutes_left)};
@@ -174,16 +176,16 @@ void RecordingForm::setRecording(const RecordingView& view) {
 
 void RecordingForm::setWaiting(bool waiting) {
   waiting_ = waiting;
-  QPushButton* shown = start_->isHidden() ? stop_ : start_;
-  const bool loses_focus = waiting && shown->hasFocus();
+  const bool loses_focus = start_->hasFocus() || stop_->hasFocus() || hasFocus();
   start_->setText(waiting ? tr("Waiting for the disk …") : tr("Start recording"));
   stop_->setText(waiting ? tr("Waiting for the disk …") : tr("Stop recording"));
   for (QPushButton* each : {start_, stop_}) each->setEnabled(!waiting);
-  if (loses_focus) fallen_to_ = QApplication::focusWidget();
-  if (waiting) return;
-  // It comes back unless it was moved on meanwhile.
-  if (fallen_to_ && fallen_to_ == QApplication::focusWidget()) shown->setFocus(Qt::OtherFocusReason);
-  fallen_to_.clear();
+  if (loses_focus) keepFocus();
+}
+
+void RecordingForm::keepFocus() {
+  QWidget* keeper = waiting_ ? this : start_->isHidden() ? static_cast<QWidget*>(stop_) : start_;
+  keeper->setFocus(Qt::OtherFocusReason);
 }
 
 void RecordingForm::focusNext() {

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QPointer>
 #include <QPushButton>
 #include <QToolButton>
 #include <functional>
@@ -53,6 +52,8 @@ class RecordingForm : public QFrame {
   void start();
   void sayNote();
   void mark(EntryProblem::Field field);
+  /// On the button that can be pressed, or on the form while none can.
+  void keepFocus();
   void say(const QString& words, const char* role);
   [[nodiscard]] QWidget* widgetOf(EntryProblem::Field field) const;
   void chooseFile();
@@ -61,7 +62,6 @@ class RecordingForm : public QFrame {
   std::function<QString(const QString&)> suggest_;
   bool file_is_own_ = false;  ///< written by the operator
   bool waiting_ = false;
-  QPointer<QWidget> fallen_to_;  ///< has the focus that a button lost by the waiting
   QLineEdit* operator_ = nullptr;
   QLineEdit* subject_ = nullptr;
   QLineEdit* tags_ = nullptr;

@@ -81,10 +81,7 @@ ReviewPage::ReviewPage(const PageContext& context, QWidget* parent)
   connect(list_, &SessionList::compareAsked, this, &ReviewPage::compare);
   bar_->timeField()->setSpan(
       [this] { return std::pair(0.0, recording_ ? recording_->info().duration_s : std::nan("")); });
-  connect(bar_->timeField(), &widgets::TimeField::asked, this, [this](double time_s) {
-    curves_->setFocus();
-    player_.goTo(time_s);
-  });
+  connect(bar_->timeField(), &widgets::TimeField::asked, this, &ReviewPage::goTo);
   connect(bar_, &ReviewBar::listAsked, this, &ReviewPage::showList);
   connectCursor();
   connectTabs();
@@ -150,7 +147,7 @@ QWidget* ReviewPage::buildLeft() {
 
 void ReviewPage::connectCursor() {
   connect(&player_, &ReviewPlayer::moved, this, &ReviewPage::look);
-  connect(curves_, &ReviewCurves::cursorAsked, &player_, &ReviewPlayer::goTo);
+  connect(curves_, &ReviewCurves::cursorAsked, this, &ReviewPage::goTo);
   connect(curves_, &ReviewCurves::windowShown, overview_, &widgets::SessionOverview::setWindow);
   widgets::SpectrumView* spectrum = curve_tools_->spectrum();
   const auto draw = [this, spectrum](bool even_soon) {
@@ -160,7 +157,7 @@ void ReviewPage::connectCursor() {
   connect(spectrum, &widgets::SpectrumView::changed, spectrum, [draw] { draw(true); });
   connect(curves_, &ReviewCurves::problem, this,
           [this](const QString& text) { context_.tell(widgets::Severity::warning, text); });
-  connect(overview_, &widgets::SessionOverview::cursorAsked, &player_, &ReviewPlayer::goTo);
+  connect(overview_, &widgets::SessionOverview::cursorAsked, this, &ReviewPage::goTo);
   connect(overview_, &widgets::SessionOverview::windowAsked, curves_, &ReviewCurves::show);
   connect(overview_, &widgets::SessionOverview::resized, this, &ReviewPage::showEnvelope);
   connect(note_table_, &NoteTable::noteChosen, &player_, &ReviewPlayer::goTo);
@@ -323,6 +320,11 @@ void ReviewPage::look(double time_s) {
   curves_->setCursor_s(time_s);
   bar_->setTime(time_s);
   camera_->showAt(recording_.get(), time_s);
+}
+
+void ReviewPage::goTo(double time_s) {
+  curves_->setFocus();  // the keys of the place work again
+  player_.goTo(time_s);
 }
 
 void ReviewPage::setMark(Mark which) {

@@ -81,6 +81,9 @@ class ReviewPage : public Page {
   void addExportCommands(PlaceCommands& commands);
   void close();
   void describe();
+  /// As the operator asked.
+  void goTo(double time_s);
+  /// At what is there.
   void look(double time_s);
   void showEnvelope();
   void showTags();

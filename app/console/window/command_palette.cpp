@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/basics/theme.h"
 
@@ -42,10 +43,12 @@ void CommandPalette::open() {
 
 void CommandPalette::filter(const QString& letters) {
   list_->clear();
+  const QStringList words = letters.split(QLatin1Char(' '), Qt::SkipEmptyParts);
   for (QAction* action : registry_.actions()) {
     if (!action->isVisible() || !action->isEnabled()) continue;  // belongs to another place or other devices
     const QString name = action->text().section(QLatin1Char('\t'), 0, 0);
-    if (!name.contains(letters, Qt::CaseInsensitive)) continue;
+    if (!std::ranges::all_of(words, [&](const QString& each) { return name.contains(each, Qt::CaseInsensitive); }))
+      continue;
     const QString own = action->shortcut().toString(QKeySequence::NativeText);  // as the menus name them: Ctrl+Maj+L
     const QString keys = own.isEmpty() ? action->property("keys").toString() : own;
     QPixmap none(list_->iconSize());  // keeps the names in one column
