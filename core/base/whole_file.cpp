@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/base/descriptor.h"
 #include "core/base/end_signals.h"
 #include "core/base/system_reason.h"
 
@@ -23,26 +22,32 @@ Message tooLarge(const std::string& path, std::uint64_t bytes, std::uint64_t lar
 using Block = std::array<char, 65536>;
 
 /// Waits for what is written, and for a signal that asks the program to end, which must not wait for a writer.
-Result<std::string> readPipe(const std::string& path, std::uint64_t largest_bytes) {
-  // A pipe without a writer opens only so, instead of waiting where no signal is looked at.
-  const Descriptor pipe(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
-  if (pipe.number() < 0) return fail("{}: cannot be read: {}", path, systemReason(errno));
+Result<std::string> drained(int pipe, const std::string& path, std::uint64_t largest_bytes) {
   std::string text;
   Block block{};
   for (;;) {
-    std::array<pollfd, 2> asked{{{pipe.number(), POLLIN, 0}, {endSignalDescriptor(), POLLIN, 0}}};
+    std::array<pollfd, 2> asked{{{pipe, POLLIN, 0}, {endSignalDescriptor(), POLLIN, 0}}};
     if (::poll(asked.data(), asked.size(), -1) < 0 && errno != EINTR) {
       return fail("{}: cannot be read: {}", path, systemReason(errno));
     }
     if (endSignal() != 0) return fail("{}: not read to its end: the program was asked to end", path);
     if (asked[0].revents == 0) continue;
-    const ssize_t count = ::read(pipe.number(), block.data(), block.size());
+    const ssize_t count = ::read(pipe, block.data(), block.size());
     if (count == 0) return text;
     if (count < 0 && errno != EINTR && errno != EAGAIN)
       return fail("{}: cannot be read: {}", path, systemReason(errno));
     text.append(block.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (text.size() > largest_bytes) return tl::unexpected(Error{tooLarge(path, text.size(), largest_bytes)});
   }
+}
+
+Result<std::string> readPipe(const std::string& path, std::uint64_t largest_bytes) {
+  // A pipe without a writer opens only so, instead of waiting where no signal is looked at.
+  const int pipe = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+  if (pipe < 0) return fail("{}: cannot be read: {}", path, systemReason(errno));
+  auto text = drained(pipe, path, largest_bytes);
+  ::close(pipe);
+  return text;
 }
 
 }  // namespace

@@ -35,6 +35,10 @@ void expectDone(int error) {
 
 }  // namespace
 
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
 RecordingStorage::RecordingStorage(const std::string& partial, std::shared_ptr<DiskCalls> calls)
     : descriptor_(opened(partial, O_CREAT | O_EXCL)),
       disk_(

@@ -5,11 +5,23 @@
 #include <memory>
 #include <string>
 
-#include "core/base/descriptor.h"
 #include "core/recording/file/recording_disk.h"
 #include "core/recording/file/recording_hdf5.h"
 
 namespace fyd::recording {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor();
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
 
 struct LeftBehind {
   std::string path;

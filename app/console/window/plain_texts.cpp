@@ -1,4 +1,4 @@
-#include "app/console/shell/plain_texts.h"
+#include "app/console/window/plain_texts.h"
 
 #include <QApplication>
 #include <QEvent>
