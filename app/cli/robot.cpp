@@ -126,8 +126,10 @@ void runRobot(const RobotCliOptions& given) {
     return;
   }
   auto arm = valueOrFail(device::FriRobot::open(*kuka));
-  // The runner owns it from here on and is alive when the summary is made.
-  runRobotEnd(given.end, options, std::move(arm), [fri = arm.get()] { return armJson(*fri); });
+  // The runner owns it from here on and is alive when the summary is made. Asked before it is moved: of two arguments the
+  // compiler may make either first.
+  const device::FriRobot* fri = arm.get();
+  runRobotEnd(given.end, options, std::move(arm), [fri] { return armJson(*fri); });
 }
 
 }  // namespace
