@@ -47,6 +47,23 @@ LogWeight weigh(const pipeline::Event& e) {
   return plain;
 }
 
+void addReviewNotes(const std::string& path, std::vector<LogLine>& lines) {
+  if (path.empty()) return;
+  const auto review = recording::readReviewNotes(path);
+  if (!review) {
+    lines.push_back({.kind = toString(recording::NoteKind::alarm),
+                     .text = cleanText(review.error().text()),
+                     .weight = LogWeight::serious});
+    return;
+  }
+  for (const recording::ReviewNote& note : review->notes) {
+    lines.push_back({.time_s = note.time_s,
+                     .kind = note.kind == recording::NoteKind::bookmark ? "bookmark in review" : "note in review",
+                     .text = cleanText(note.text),
+                     .weight = LogWeight::marked});
+  }
+}
+
 }  // namespace
 
 std::string_view toString(EventKind kind) {
@@ -99,27 +116,6 @@ std::string cleanText(std::string_view text) {
   }
   return clean;
 }
-
-namespace {
-
-void addReviewNotes(const std::string& path, std::vector<LogLine>& lines) {
-  if (path.empty()) return;
-  const auto review = recording::readReviewNotes(path);
-  if (!review) {
-    lines.push_back({.kind = toString(recording::NoteKind::alarm),
-                     .text = cleanText(review.error().text()),
-                     .weight = LogWeight::serious});
-    return;
-  }
-  for (const recording::ReviewNote& note : review->notes) {
-    lines.push_back({.time_s = note.time_s,
-                     .kind = note.kind == recording::NoteKind::bookmark ? "bookmark in review" : "note in review",
-                     .text = cleanText(note.text),
-                     .weight = LogWeight::marked});
-  }
-}
-
-}  // namespace
 
 Result<std::vector<LogLine>> logLines(const recording::Recording& recording) {
   const auto events = recording.events();

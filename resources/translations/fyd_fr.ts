@@ -9674,10 +9674,6 @@ Pour commencer : %1</translation>
         <translation>{} : aucune ligne --- entre l'en-tête de la carte et ses lignes ; une attendue</translation>
     </message>
     <message>
-        <source>{}: no longer there, moved or deleted: notes would stand beside nothing</source>
-        <translation>{} : n'est plus là, déplacé ou supprimé : les notes ne seraient à côté de rien</translation>
-    </message>
-    <message>
         <source>{}: no memory for its variables</source>
         <translation>{} : pas de mémoire pour ses variables</translation>
     </message>

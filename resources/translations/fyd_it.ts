@@ -9674,10 +9674,6 @@ Per cominciare: %1</translation>
         <translation>{}: nessuna riga --- tra la testa della scheda e le sue righe; attesa una</translation>
     </message>
     <message>
-        <source>{}: no longer there, moved or deleted: notes would stand beside nothing</source>
-        <translation>{}: non c'è più, spostata o cancellata: le note resterebbero accanto a nulla</translation>
-    </message>
-    <message>
         <source>{}: no memory for its variables</source>
         <translation>{}: manca memoria per le sue variabili</translation>
     </message>

@@ -277,11 +277,13 @@ class ReviewTest : public QObject {
   void aClickOnTheCurvesGivesThePlaceItsKeysBack() {
     ReviewFixture f;
     f.openByPath();
-    for (const double time_s : {1.0, 2.0}) {
-      f.page->whatIf()->value()->setFocus();
-      time_s > 1.5 ? emit f.page->overview()->cursorAsked(time_s) : emit f.page->curves()->stack()->clicked(time_s);
+    for (QWidget* clicked :
+         {static_cast<QWidget*>(f.page->curves()->strip(0)->plot()), static_cast<QWidget*>(f.page->overview())}) {
+      f.page->noteField()->setFocus();
+      f.page->player()->goTo(0.0);
+      QTest::mouseClick(clicked, Qt::LeftButton, {}, clicked->rect().center());
       QVERIFY(f.page->curves()->hasFocus());
-      QCOMPARE(f.page->player()->time_s(), time_s);
+      QVERIFY(f.page->player()->time_s() > 0.0);
     }
   }
 

@@ -12,9 +12,9 @@ namespace {
 
 using widgets::Severity;
 
-Result<void> write(const std::string& path, const std::string& target, exports::ExportOptions options,
+Result<void> write(const ShownRecording& shown, const std::string& target, exports::ExportOptions options,
                    const recording::Progress& progress) {
-  const auto recording = recording::Recording::open(path);
+  const auto recording = shown.open();
   if (!recording) return tl::unexpected(recording.error());
   if (target.ends_with(".html") || target.ends_with(".pdf")) {
     return report::writeReport(**recording, target, false, progress);
@@ -24,11 +24,11 @@ Result<void> write(const std::string& path, const std::string& target, exports::
   return exported ? Result<void>() : tl::unexpected(exported.error());
 }
 
-Result<void> writeCard(const std::string& path, const std::string& target, const exports::Touch& touch,
+Result<void> writeCard(const ShownRecording& shown, const std::string& target, const exports::Touch& touch,
                        std::size_t number) {
-  const auto recording = recording::Recording::open(path);
+  const auto recording = shown.open();
   if (!recording) return tl::unexpected(recording.error());
-  const std::string name = exports::touchName(path, number);
+  const std::string name = exports::touchName(shown.path.toStdString(), number);
   const auto card = exports::gestureOf(**recording, touch, name, name);
   if (!card) return tl::unexpected(card.error());
   const auto text = sim::formatGesture(*card);
@@ -69,8 +69,8 @@ void ReviewExports::exportShown(const ReviewCurves& curves, const QString& targe
 
 void ReviewExports::exportTo(const std::string& target, const exports::ExportOptions& options) {
   if (shown_.isNone()) return;
-  run(target, [path = shown_.path.toStdString(), target, options](const recording::Progress& progress) {
-    return write(path, target, options, progress);
+  run(target, [shown = shown_, target, options](const recording::Progress& progress) {
+    return write(shown, target, options, progress);
   });
 }
 
@@ -83,8 +83,8 @@ void ReviewExports::exportCard(const exports::Touch& touch, int number) {
   for (int next = 2; QFileInfo::exists(target); ++next) target = base + QStringLiteral(" (%1).gesture").arg(next);
   run(
       target.toStdString(),
-      [path = shown_.path.toStdString(), target = target.toStdString(), touch, number](const recording::Progress&) {
-        return writeCard(path, target, touch, static_cast<std::size_t>(number));
+      [shown = shown_, target = target.toStdString(), touch, number](const recording::Progress&) {
+        return writeCard(shown, target, touch, static_cast<std::size_t>(number));
       },
       tr("The simulated finger plays it: Operate, Finger, Gesture card."));
 }
@@ -97,8 +97,8 @@ void ReviewExports::run(const std::string& target, Write write, const QString& t
   }
   auto* work = works_[target] = new LongWork(bars_, this);
   work->run(tr("Writing %1").arg(QFileInfo(name).fileName()),
-            [this, target, shown = shown_, write = std::move(write), then](const recording::Progress& progress) {
-              const auto done = guarded([&] { return shown.isStillThere().and_then([&] { return write(progress); }); });
+            [this, target, write = std::move(write), then](const recording::Progress& progress) {
+              const auto done = guarded([&] { return write(progress); });
               return [this, done, target, then] { finish(target, done, then); };
             });
 }

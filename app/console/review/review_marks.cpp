@@ -118,7 +118,7 @@ bool ReviewMarks::writeTags(const QString& text) {
 
 bool ReviewMarks::save(catalogue::ReviewChange change) {
   const std::string path = shown_.path.toStdString();
-  if (auto still = shown_.isStillThere(); !still) {
+  if (const auto still = shown_.open(); !still) {  // notes would stand beside nothing, or beside another recording
     tell_(Severity::warning, widgets::coreText(still.error().message));
     return false;
   }

@@ -187,10 +187,10 @@ void ReviewPage::connectTabs() {
 }
 
 void ReviewPage::connectRecovery() {
-  connect(bar_->recoverButton(), &QToolButton::clicked, this, [this] { recovery_->recover(path_); });
+  connect(bar_->recoverButton(), &QToolButton::clicked, this, [this] { recovery_->recover(shown_.path); });
   connect(list_, &SessionList::recoverAsked, recovery_, &ReviewRecovery::recover);
   connect(recovery_, &ReviewRecovery::recovered, this, [this](const QString& asked, const QString& file) {
-    if (!showsList() && asked == path_) {
+    if (!showsList() && asked == shown_.path) {
       open(file);
     } else {
       list_->look();
@@ -262,9 +262,8 @@ bool ReviewPage::open(const QString& path) {
   close();
   recent_.add(path);
   recording_ = std::move(*opened);
-  path_ = path;
-  const ShownRecording shown{.path = path, .id = recording_->info().header.id};
-  exports_->setRecording(shown);
+  shown_ = {.path = path, .id = recording_->info().header.id};
+  exports_->setRecording(shown_);
   curve_tools_->saver().setFolder(QFileInfo(path).absolutePath());
   curve_tools_->saver().setStem(QFileInfo(path).completeBaseName() + tr(" curves"));
   const double duration_s = recording_->info().duration_s;
@@ -272,8 +271,8 @@ bool ReviewPage::open(const QString& path) {
   curves_->setDuration(duration_s);
   curves_->stack()->clearMarks();
   if (const auto felt = recording::recordedParameters(recording_->info().header)) drawLimits(*curves_->stack(), *felt);
-  tabs_->open(shown);
-  marks_.open(shown);
+  tabs_->open(shown_);
+  marks_.open(shown_);
   note_field_->clear();  // a note that could not be written was the former recording's
   describe();
   marks_.show(*recording_);
@@ -296,7 +295,7 @@ void ReviewPage::describe() {
   const recording::RecordingInfo& info = recording_->info();
   // The most important comes first, because a narrow window cuts the rest.
   QStringList words = {
-      QFileInfo(path_).fileName(), wholenessWords(info),
+      QFileInfo(shown_.path).fileName(), wholenessWords(info),
       QString::fromStdString(info.header.started_utc).left(19).replace(QLatin1Char('T'), QLatin1Char(' ')) + tr(" UTC"),
       widgets::durationText(info.duration_s)};
   if (!info.header.subject.empty()) words << tr("subject %1").arg(QString::fromStdString(info.header.subject));
@@ -408,7 +407,7 @@ void ReviewPage::addCommands(PlaceCommands& commands) {
     if (showsList()) {
       list_->recoverPath();
     } else {
-      recovery_->recover(path_);
+      recovery_->recover(shown_.path);
     }
   });
   add("review.cancel", QT_TRANSLATE_NOOP("Commands", "Cancel what is running"), "cross", kCancelWorkKeys, [this] {

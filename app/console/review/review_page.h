@@ -16,6 +16,7 @@
 #include "app/console/review/review_recovery.h"
 #include "app/console/review/review_tabs.h"
 #include "app/console/review/session_list.h"
+#include "app/console/review/shown_recording.h"
 #include "app/console/shell/curve_tools.h"
 #include "app/console/shell/page.h"
 
@@ -91,7 +92,7 @@ class ReviewPage : public Page {
   void showMarks();
 
   PageContext context_;
-  QString path_;
+  ShownRecording shown_;
   std::unique_ptr<recording::Recording> recording_;
   RecentRecordings recent_;
   ReviewPlayer player_;

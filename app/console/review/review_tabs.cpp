@@ -103,8 +103,7 @@ void ReviewTabs::showFigures(double a_s, double b_s) {
   using Figures = Result<std::vector<StretchFigures>>;
   const auto work = [this, shown = shown_, a_s, b_s](const recording::Progress& progress) {
     auto figures = std::make_shared<Figures>(guarded([&]() -> Figures {
-      if (auto still = shown.isStillThere(); !still) return tl::unexpected(still.error());
-      auto opened = recording::Recording::open(shown.path.toStdString());
+      auto opened = shown.open();
       return opened ? figuresBetween(**opened, a_s, b_s, progress) : Figures(tl::unexpected(opened.error()));
     }));
     return [this, figures, a_s, b_s] {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <memory>
 #include <string>
 
 #include "core/recording/reader/recording.h"
@@ -14,8 +15,8 @@ struct ShownRecording {
   std::string id;  ///< in its header
 
   [[nodiscard]] bool isNone() const { return path.isEmpty(); }
-  /// To be asked before anything is made of the file at `path` or written beside it.
-  [[nodiscard]] Result<void> isStillThere() const { return recording::expectRecording(path.toStdString(), id); }
+  /// @return an error when it is no longer there, or another one has its name
+  [[nodiscard]] Result<std::unique_ptr<recording::Recording>> open() const;
 };
 
 }  // namespace fyd::console

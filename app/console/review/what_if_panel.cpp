@@ -17,10 +17,10 @@ using widgets::numberText;
 struct Stopped {};
 
 /// Runs on the work's thread. @param curves gets what the replay computes
-Result<replay::ReplayResult> replayFile(const std::string& path, const replay::ReplayOptions& options,
-                                        const recording::Progress& progress,
-                                        std::shared_ptr<widgets::CurveBuffer>& curves) {
-  auto recording = recording::Recording::open(path);
+Result<replay::ReplayResult> replayShown(const ShownRecording& shown, const replay::ReplayOptions& options,
+                                         const recording::Progress& progress,
+                                         std::shared_ptr<widgets::CurveBuffer>& curves) {
+  const auto recording = shown.open();
   if (!recording) return tl::unexpected(recording.error());
   const recording::RecordingInfo& info = (*recording)->info();
   // Limits the memory for a recording of hours: of a longer one the newest samples are kept.
@@ -172,10 +172,7 @@ void WhatIfPanel::run() {
   work_.run(tr("Running %1 again").arg(QFileInfo(shown_.path).fileName()),
             [this, shown = shown_, options](const recording::Progress& progress) {
               std::shared_ptr<widgets::CurveBuffer> curves;
-              auto result = guarded([&] {
-                return shown.isStillThere().and_then(
-                    [&] { return replayFile(shown.path.toStdString(), options, progress, curves); });
-              });
+              auto result = guarded([&] { return replayShown(shown, options, progress, curves); });
               return [this, result = std::move(result), curves] { finish(result, curves); };
             });
 }

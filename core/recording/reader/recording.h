@@ -54,9 +54,6 @@ class FYD_API Recording {
   [[nodiscard]] virtual Result<std::vector<LinkRow>> linkRows() const = 0;
 };
 
-/// @return an error unless the recording at `path` is the one whose header has this id: another may have got its name
-[[nodiscard]] FYD_API Result<void> expectRecording(const std::string& path, const std::string& id);
-
 /// Paths of the tables whose rows for this step are lost, such as "/inputs/ir".
 [[nodiscard]] FYD_API std::vector<std::string> missingTables(const StepRecord& record);
 

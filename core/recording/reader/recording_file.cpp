@@ -301,13 +301,6 @@ Result<std::unique_ptr<DamagedRecording>> DamagedRecording::open(const std::stri
                  [&]() -> std::unique_ptr<DamagedRecording> { return std::make_unique<Hdf5Recording>(path, true); });
 }
 
-Result<void> expectRecording(const std::string& path, const std::string& id) {
-  const auto recording = Recording::open(path);
-  if (!recording) return tl::unexpected(recording.error());
-  if ((*recording)->info().header.id == id) return {};
-  return fail("{}: another recording has this name now; open it again", path);
-}
-
 std::vector<std::string> missingTables(const StepRecord& record) {
   std::vector<std::string> paths;
   for (std::size_t i = 0; i < kTableCount; ++i) {

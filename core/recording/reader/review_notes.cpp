@@ -57,8 +57,6 @@ Result<ReviewNotes> readReviewNotes(const std::string& recording_path) {
 }
 
 Result<void> writeReviewNotes(const std::string& recording_path, ReviewNotes review) {
-  if (std::error_code ignored; !std::filesystem::exists(existingName(recording_path), ignored))
-    return fail("{}: no longer there, moved or deleted: notes would stand beside nothing", recording_path);
   std::ranges::stable_sort(review.notes, {}, &ReviewNote::time_s);
   const std::string recording = wholeOf(recording_path);
   nlohmann::ordered_json out{{"recording", recording.substr(recording.find_last_of('/') + 1)},

@@ -28,7 +28,6 @@ struct ReviewNotes {
 [[nodiscard]] Result<ReviewNotes> readReviewNotes(const std::string& recording_path);
 
 /// Replaces the file atomically: a reader sees the old notes or the new ones.
-/// @return an error that names the recording when it is no longer there
 [[nodiscard]] Result<void> writeReviewNotes(const std::string& recording_path, ReviewNotes review);
 
 }  // namespace fyd::recording

@@ -1,9 +1,14 @@
 // The disk fails during a recording: the error is reported, committed data stay readable, the session continues.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 
 #include "core/recording/recovery/recover.h"
+#include "core/recording/recovery/verify.h"
 #include "tests/integration/recording/recorder_replay_fixture.h"
 #include "tests/unit/recording/troubled_disk.h"
 #include "tests/wait.h"
@@ -95,13 +100,37 @@ class RecorderWhoseFileIsTouched : public RecorderOnATroubledDisk {
 };
 
 TEST_F(RecorderWhoseFileIsTouched, Shortened) {
-  // Where it falls between the recorder's look and its write, the write makes the file long again and only `verify` finds
-  // the hole: again.
+  // Again where it fell between the recorder's look and its write (RecorderWhoseFileIsShortenedUnseen).
   for (int i = 0; i < 20 && recorder->status().state == RecorderState::recording; ++i) {
     std::filesystem::resize_file(partial(), 1000);
     run(0.1);
   }
   expectNothingPromised("another program has made the file shorter");
+}
+
+/// Another program is so quick that the recorder's write makes the file long again, with a hole.
+class RecorderWhoseFileIsShortenedUnseen : public RecorderOnATroubledDisk {
+ protected:
+  struct Shortening : TroubledDisk {
+    int write(int file, std::span<const std::byte> bytes, std::uint64_t at) override {
+      struct stat status {};
+      const bool behind_its_end = ::fstat(file, &status) == 0 && at >= static_cast<std::uint64_t>(status.st_size);
+      if (behind_its_end && shortens.exchange(false)) (void)!::ftruncate(file, 1000);
+      return TroubledDisk::write(file, bytes, at);
+    }
+    std::atomic<bool> shortens = false;
+  };
+  RecorderWhoseFileIsShortenedUnseen() { troubled = shortening; }
+  std::shared_ptr<Shortening> shortening = std::make_shared<Shortening>();
+};
+
+TEST_F(RecorderWhoseFileIsShortenedUnseen, IsNotCalledIntactByVerify) {
+  shortening->shortens = true;
+  for (int i = 0; i < 20 && shortening->shortens; ++i) run(0.1);
+  ASSERT_FALSE(shortening->shortens);
+  EXPECT_TRUE(recorder->end()) << "it looks at the length only";
+  const auto checked = verify(file("a.h5"));
+  EXPECT_FALSE(checked && checked->intact());
 }
 
 TEST_F(RecorderWhoseFileIsTouched, Removed) {
