@@ -48,7 +48,7 @@ Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
                        .health = healthOf(info).word,
                        .bytes = static_cast<std::uint64_t>(status.st_size),
                        .file_modified_ns = status.st_mtim.tv_sec * 1'000'000'000LL + status.st_mtim.tv_nsec};
-  const auto review = recording::readReviewNotes(path);
+  const auto review = recording::readReviewNotes(path, header.id);
   if (review) {
     for (const recording::ReviewNote& note : review->notes) entry.notes = withNote(entry.notes, note);
   }

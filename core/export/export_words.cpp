@@ -47,9 +47,9 @@ LogWeight weigh(const pipeline::Event& e) {
   return plain;
 }
 
-void addReviewNotes(const std::string& path, std::vector<LogLine>& lines) {
-  if (path.empty()) return;
-  const auto review = recording::readReviewNotes(path);
+void addReviewNotes(const recording::RecordingInfo& info, std::vector<LogLine>& lines) {
+  if (info.path.empty()) return;
+  const auto review = recording::readReviewNotes(info.path, info.header.id);
   if (!review) {
     lines.push_back({.kind = toString(recording::NoteKind::alarm),
                      .text = cleanText(review.error().text()),
@@ -136,7 +136,7 @@ Result<std::vector<LogLine>> logLines(const recording::Recording& recording) {
                      .text = cleanText(note.text),
                      .weight = note.kind == recording::NoteKind::alarm ? LogWeight::serious : LogWeight::marked});
   }
-  addReviewNotes(recording.info().path, lines);
+  addReviewNotes(recording.info(), lines);
   std::ranges::stable_sort(lines, {}, &LogLine::time_s);
   return lines;
 }

@@ -3400,8 +3400,8 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
         <translation>Rien n'est en cours ici.</translation>
     </message>
     <message>
-        <source>Nothing is written: the file of notes is damaged. Mend or move %1.</source>
-        <translation>Rien n'est écrit : le fichier des notes est endommagé. Réparer ou déplacer %1.</translation>
+        <source>Nothing is written. %1. Mend or move that file.</source>
+        <translation>Rien n’est écrit. %1. Corriger ou déplacer ce fichier.</translation>
     </message>
     <message>
         <source>Nothing of %1 can be read; it is left as it is: %2</source>
@@ -10048,6 +10048,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: there is no such port; is the cable plugged in?</source>
         <translation>{} : ce port n'existe pas ; le câble est-il branché ?</translation>
+    </message>
+    <message>
+        <source>{}: these notes are of another recording, {}; expected {}</source>
+        <translation>{} : ces notes sont celles d'un autre enregistrement, {} ; attendu {}</translation>
     </message>
     <message>
         <source>{}: too many changes at once</source>

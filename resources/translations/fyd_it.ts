@@ -3400,8 +3400,8 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
         <translation>Qui non è in corso nulla.</translation>
     </message>
     <message>
-        <source>Nothing is written: the file of notes is damaged. Mend or move %1.</source>
-        <translation>Non viene scritto nulla: il file delle note è danneggiato. Riparare o spostare %1.</translation>
+        <source>Nothing is written. %1. Mend or move that file.</source>
+        <translation>Non viene scritto nulla. %1. Correggere o spostare quel file.</translation>
     </message>
     <message>
         <source>Nothing of %1 can be read; it is left as it is: %2</source>
@@ -10048,6 +10048,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: there is no such port; is the cable plugged in?</source>
         <translation>{}: questa porta non esiste; il cavo è collegato?</translation>
+    </message>
+    <message>
+        <source>{}: these notes are of another recording, {}; expected {}</source>
+        <translation>{}: queste note sono di un'altra registrazione, {}; attesa {}</translation>
     </message>
     <message>
         <source>{}: too many changes at once</source>

@@ -180,6 +180,12 @@ class Exports(fyd.Case):
             file.write("{")
         self.export("broken.csv")
         self.assertIn(("alarm", True), {(row["kind"], beside in row["text"]) for row in self.rows("broken.events.csv")})
+        with open(beside, "w", encoding="utf-8") as file:
+            fyd.json.dump({"recording_id": "0" * 32, "notes": [{"time_s": 2.5, "kind": "note", "text": "not ours"}]}, file)
+        self.export("others.csv")
+        texts = [row["text"] for row in self.rows("others.events.csv") if row["kind"] == "alarm"]
+        self.assertTrue(any("notes are of another recording" in text for text in texts), texts)
+        self.assertNotIn("not ours", str(self.rows("others.events.csv")))
 
     def test_wrong_wishes_are_refused_and_leave_nothing(self):
         export = ("session", "export", self.file)

@@ -52,6 +52,14 @@ void playsAt(ReviewFixture& f, double speed) {
   QVERIFY2(moves[last].time_s <= speed * moves[last].told_s, qPrintable(words.arg(moves[last].told_s)));
 }
 
+std::string idOf(const QString& path) {
+  const auto opened = recording::Recording::open(path.toStdString());
+  return opened ? (*opened)->info().header.id : std::string();
+}
+Result<recording::ReviewNotes> notesOf(const QString& path) {
+  return recording::readReviewNotes(path.toStdString(), idOf(path));
+}
+
 }  // namespace
 
 class ReviewTest : public QObject {
@@ -208,7 +216,7 @@ class ReviewTest : public QObject {
     QCOMPARE(f.page->notes()->item(f.page->notes()->currentRow(), 2)->text(), QStringLiteral("feels soft <b>"));
     f.key(Qt::Key_B);
     QCOMPARE(f.page->notes()->rowCount(), 2);
-    const auto notes = recording::readReviewNotes(f.path.toStdString());
+    const auto notes = notesOf(f.path);
     QVERIFY2(notes, notes ? "" : notes.error().text().c_str());
     QCOMPARE(notes->notes.size(), std::size_t{2});
     QCOMPARE(QString::fromStdString(notes->notes.front().text), QStringLiteral("feels soft <b>"));
@@ -260,11 +268,11 @@ class ReviewTest : public QObject {
     f.page->tagsField()->setText(QString(1000, QLatin1Char('x')));  // too long
     QTest::keyClick(f.page->tagsField(), Qt::Key_Return);
     QCOMPARE(f.page->recording() != nullptr, true);
-    QVERIFY(recording::readReviewNotes(f.path.toStdString())->tags == std::vector<std::string>{"velvet"});
+    QVERIFY(notesOf(f.path)->tags == std::vector<std::string>{"velvet"});
     const QString shelf = f.folder.filePath(QStringLiteral("shelf"));
     QVERIFY(QDir().mkpath(shelf));
     QVERIFY(catalogue::storeClosed(f.path.toStdString(), shelf.toStdString(), "none"));
-    const auto moved = recording::readReviewNotes((shelf + QStringLiteral("/session.h5")).toStdString());
+    const auto moved = notesOf(shelf + QStringLiteral("/session.h5"));
     QVERIFY(moved && moved->tags && moved->notes.size() == 1);
     // The recording that is still open here is no longer at its place.
     const QString left = QString::fromStdString(recording::reviewNotesPath(f.path.toStdString()));
@@ -290,17 +298,16 @@ class ReviewTest : public QObject {
   void whatAnotherWindowWroteMeanwhileStays() {
     ReviewFixture f;
     f.openByPath();
-    const std::string path = f.path.toStdString();
     f.page->writeNote(recording::NoteKind::note, QStringLiteral("ours"));
-    auto there = recording::readReviewNotes(path);  // the other window
+    auto there = notesOf(f.path);  // the other window
     QVERIFY(there && there->notes.size() == 1);
     there->notes.push_back({.time_s = 0.5, .text = "theirs"});
     there->tags = std::vector<std::string>{"velvet"};
-    QVERIFY(recording::writeReviewNotes(path, *there));
+    QVERIFY(recording::writeReviewNotes(f.path.toStdString(), idOf(f.path), *there));
     f.page->tagsField()->setText(QStringLiteral("left hand"));
     QTest::keyClick(f.page->tagsField(), Qt::Key_Return);
     f.page->writeNote(recording::NoteKind::note, QStringLiteral("ours too"));
-    const auto now = recording::readReviewNotes(path);
+    const auto now = notesOf(f.path);
     QVERIFY(now && now->notes.size() == 3);
     QVERIFY(now->tags == (std::vector<std::string>{"left hand", "velvet"}));
     QCOMPARE(f.page->tagsField()->text(), QStringLiteral("left hand, velvet"));
@@ -331,7 +338,18 @@ class ReviewTest : public QObject {
     QVERIFY(f.page->open(f.path));
     QVERIFY(f.page->noteField()->text().isEmpty());
     f.page->writeNote(recording::NoteKind::note, QStringLiteral("hard"));
-    QCOMPARE(recording::readReviewNotes(f.path.toStdString())->notes.size(), std::size_t{1});
+    QCOMPARE(notesOf(f.path)->notes.size(), std::size_t{1});
+    // Nor are its notes those of a third that came there before it was opened.
+    const QString third = makeRecording(f.folder, QStringLiteral("third.h5"));
+    QVERIFY(QFile::remove(f.path) && QFile::rename(third, f.path));
+    QVERIFY(f.page->open(f.path));
+    QVERIFY2(f.told().contains(QStringLiteral("notes are of another recording")), qPrintable(f.told()));
+    QCOMPARE(f.page->notes()->rowCount(), 0);
+    QFile beside(QString::fromStdString(recording::reviewNotesPath(f.path.toStdString())));
+    QVERIFY(beside.open(QIODevice::ReadOnly));
+    const QByteArray before = beside.readAll();
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("lost"));
+    QVERIFY(beside.seek(0) && beside.readAll() == before);
   }
 
   void aPictureThatCannotBeReadIsNotOneThatWasNotTaken() {

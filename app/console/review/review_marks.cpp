@@ -7,7 +7,6 @@
 
 #include "core/catalogue/catalogue_text.h"
 #include "core/pipeline/parameters.h"
-#include "core/recording/file/recording_place.h"
 #include "core/station/notice.h"
 #include "widgets/basics/core_text.h"
 
@@ -40,7 +39,7 @@ ReviewMarks::ReviewMarks(widgets::SessionOverview* overview, NoteTable* table, Q
 
 void ReviewMarks::open(const ShownRecording& shown) {
   shown_ = shown;
-  auto review = recording::readReviewNotes(shown_.path.toStdString());
+  auto review = recording::readReviewNotes(shown_.path.toStdString(), shown_.id);
   review_ = review ? std::move(*review) : recording::ReviewNotes{};
   if (!review) tell_(Severity::warning, widgets::coreText(review.error().message));
 }
@@ -122,10 +121,10 @@ bool ReviewMarks::save(catalogue::ReviewChange change) {
     tell_(Severity::warning, widgets::coreText(still.error().message));
     return false;
   }
-  auto review = recording::readReviewNotes(path);
+  auto review = recording::readReviewNotes(path, shown_.id);
   if (!review) {
-    tell_(Severity::warning, tr("Nothing is written: the file of notes is damaged. Mend or move %1.")
-                                 .arg(QString::fromStdString(recording::reviewNotesPath(path))));
+    tell_(Severity::warning,
+          tr("Nothing is written. %1. Mend or move that file.").arg(widgets::coreText(review.error().message)));
     return false;
   }
   if (change.note) review->notes.push_back(*change.note);
@@ -136,7 +135,7 @@ bool ReviewMarks::save(catalogue::ReviewChange change) {
     for (const std::string& each : change.tags_removed) tags.erase(each);
     review->tags = std::vector<std::string>(tags.begin(), tags.end());
   }
-  if (auto written = recording::writeReviewNotes(path, *review); !written) {
+  if (auto written = recording::writeReviewNotes(path, shown_.id, *review); !written) {
     tell_(Severity::warning, widgets::coreText(written.error().message));
     return false;
   }

@@ -15,6 +15,8 @@
 namespace fyd::recording {
 namespace {
 
+constexpr const char* kIdKey = "recording_id";
+
 constexpr std::array<std::pair<NoteKind, const char*>, 2> kKinds = {
     {{NoteKind::note, "note"}, {NoteKind::bookmark, "bookmark"}}};
 
@@ -33,7 +35,7 @@ Result<ReviewNote> noteOf(const nlohmann::json& entry) {
 
 }  // namespace
 
-Result<ReviewNotes> readReviewNotes(const std::string& recording_path) {
+Result<ReviewNotes> readReviewNotes(const std::string& recording_path, const std::string& id) {
   const std::string path = reviewNotesPath(recording_path);
   std::error_code problem;
   if (!std::filesystem::exists(path, problem) && !problem) return ReviewNotes{};
@@ -43,6 +45,9 @@ Result<ReviewNotes> readReviewNotes(const std::string& recording_path) {
   std::vector<ReviewNote>& notes = review.notes;
   try {
     const nlohmann::json all = nlohmann::json::parse(*text);  // must outlive the loop over a part of it
+    if (const std::string theirs = all.value(kIdKey, ""); !theirs.empty() && theirs != id) {
+      return fail("{}: these notes are of another recording, {}; expected {}", path, theirs, id);
+    }
     for (const nlohmann::json& entry : all.at("notes")) {
       auto note = noteOf(entry);
       if (!note) return fail("{}: note {}: {}", path, notes.size() + 1, note.error().message);
@@ -56,10 +61,11 @@ Result<ReviewNotes> readReviewNotes(const std::string& recording_path) {
   return review;
 }
 
-Result<void> writeReviewNotes(const std::string& recording_path, ReviewNotes review) {
+Result<void> writeReviewNotes(const std::string& recording_path, const std::string& id, ReviewNotes review) {
   std::ranges::stable_sort(review.notes, {}, &ReviewNote::time_s);
   const std::string recording = wholeOf(recording_path);
   nlohmann::ordered_json out{{"recording", recording.substr(recording.find_last_of('/') + 1)},
+                             {kIdKey, id},
                              {"notes", nlohmann::ordered_json::array()}};
   if (review.tags) out["tags"] = *review.tags;
   for (const ReviewNote& note : review.notes) {

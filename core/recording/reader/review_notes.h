@@ -24,10 +24,13 @@ struct ReviewNotes {
 };
 
 /// None when there is no such file.
-/// @return an error that names file and entry when it is damaged
-[[nodiscard]] Result<ReviewNotes> readReviewNotes(const std::string& recording_path);
+/// @param id of the recording, as in its header
+/// @return an error that names file and entry when it is damaged, or when its notes are of a recording with another id;
+/// a file that says no id is taken
+[[nodiscard]] Result<ReviewNotes> readReviewNotes(const std::string& recording_path, const std::string& id);
 
 /// Replaces the file atomically: a reader sees the old notes or the new ones.
-[[nodiscard]] Result<void> writeReviewNotes(const std::string& recording_path, ReviewNotes review);
+[[nodiscard]] Result<void> writeReviewNotes(const std::string& recording_path, const std::string& id,
+                                            ReviewNotes review);
 
 }  // namespace fyd::recording
