@@ -528,6 +528,26 @@ class MannersTest : public QObject {
     }
   }
 
+  void everyMenuOpensByItsOwnLetter() {
+    Fixture f;
+    for (const console::PlaceInfo& place : console::places()) {
+      f.window->frame()->go(QLatin1String(place.id));
+      QSet<QChar> letters;
+      for (const QAction* menu : f.window->menuBar()->actions()) {
+        if (!menu->isVisible()) continue;
+        const qsizetype mark = menu->text().indexOf(QLatin1Char('&'));
+        QVERIFY2(mark >= 0 && mark + 1 < menu->text().size(), qPrintable(menu->text()));
+        const QChar letter = menu->text()[mark + 1].toUpper();
+        QVERIFY2(!letters.contains(letter), qPrintable(menu->text()));
+        letters.insert(letter);
+        QTest::keyClick(f.window.get(), static_cast<Qt::Key>(letter.unicode()), Qt::AltModifier);
+        WAIT_FOR(menu->menu()->isVisible());
+        QVERIFY(menu->menu()->activeAction() != nullptr);  // the arrow keys go on from there
+        menu->menu()->close();
+      }
+    }
+  }
+
   void everyControlIsNamedReachedByTabAndSeenToHaveTheFocus() {
     Fixture f;
     f.window->resize(1280, 720);

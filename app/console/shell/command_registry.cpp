@@ -6,6 +6,19 @@
 #include "widgets/basics/icon.h"
 
 namespace fyd::console {
+namespace {
+
+/// The title with "&" before the letter that opens its menu with Alt: its first one that no menu before it has.
+QString withLetter(const QString& title, QString& taken) {
+  for (qsizetype i = 0; i < title.size(); ++i) {
+    if (!title[i].isLetter() || taken.contains(title[i], Qt::CaseInsensitive)) continue;
+    taken += title[i];
+    return QString(title).insert(i, QLatin1Char('&'));
+  }
+  return title;
+}
+
+}  // namespace
 
 const std::vector<CommandInfo>& commandTable() {
   // No command arms: the one that is found leads to the button, which must be held. Esc is handled by the KeyGuard, also in dialogs.
@@ -93,8 +106,9 @@ void CommandRegistry::fill(QMenuBar& bar) {
     const QString name = each->property("menu").toString();
     if (!last.contains(name) && !names.contains(name)) names << name;
   }
+  QString letters;
   for (const QString& name : names << last) {
-    QMenu* menu = bar.addMenu(QCoreApplication::translate("Commands", name.toUtf8().constData()));
+    QMenu* menu = bar.addMenu(withLetter(QCoreApplication::translate("Commands", name.toUtf8().constData()), letters));
     menus_.push_back(menu);
     // The places stand first in the view's menu.
     for (const bool place : {true, false}) {
