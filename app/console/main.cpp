@@ -107,7 +107,12 @@ int main(int argc, char** argv) {
   window.openPanels(options->open);
   window.start();
   if (start->first) window.showFirstSteps();
-  if (start->devices_remembered) window.expectDevices(opened->missing);
+  if (!start->damaged_profile.empty()) {
+    complain(start->damaged_profile, 0);
+    window.tellDamagedProfile(start->damaged_profile);
+  } else if (start->devices_remembered) {
+    window.expectDevices(opened->missing);
+  }
   if (options->dump_geometry) printGeometryAndLeave(window);
   if (!options->screenshot.isEmpty()) {
     const auto sources = fyd::station::withProfileSources(start->station);

@@ -4138,6 +4138,10 @@ Appuyer pour lire pourquoi</translation>
         <translation>Dispositions enregistrées</translation>
     </message>
     <message>
+        <source>Saved profile</source>
+        <translation>Profil enregistré</translation>
+    </message>
+    <message>
         <source>Scale of the colours</source>
         <translation>Échelle des couleurs</translation>
     </message>
@@ -4248,6 +4252,10 @@ Appuyer pour lire pourquoi</translation>
     <message>
         <source>Set B at the cursor</source>
         <translation>Placer B au curseur</translation>
+    </message>
+    <message>
+        <source>Set it aside</source>
+        <translation>Mettre de côté</translation>
     </message>
     <message>
         <source>Set the target by hand</source>
@@ -4790,6 +4798,10 @@ N/mm</translation>
         <translation>Les courbes ont perdu %1 échantillons.</translation>
     </message>
     <message>
+        <source>The damaged profile is kept as %1. The standard values are in force.</source>
+        <translation>Le profil endommagé est gardé sous le nom %1. Les valeurs standard sont en vigueur.</translation>
+    </message>
+    <message>
         <source>The devices are asked first. Then the session starts anew; motors stay off until you arm. The choice is remembered.</source>
         <translation>Les appareils sont d’abord interrogés. Puis la session recommence ; les moteurs restent coupés jusqu’à l’armement. Le choix est retenu.</translation>
     </message>
@@ -4902,6 +4914,10 @@ Pour commencer : %1</translation>
         <translation>L'autre session est tracée %1 s plus tard qu'enregistrée.</translation>
     </message>
     <message>
+        <source>The profile could not be set aside as %1: %2.</source>
+        <translation>Le profil n’a pas pu être mis de côté sous le nom %1 : %2.</translation>
+    </message>
+    <message>
         <source>The proposal was not taken: %1</source>
         <translation>La proposition n'a pas été prise : %1</translation>
     </message>
@@ -4940,6 +4956,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The robot's stiffness is kept here. Under a finger that rests, the cloth only softens; it stiffens when you lift or move on.</source>
         <translation>La raideur du robot est gardée ici. Sous un doigt immobile, le tissu ne fait que s'assouplir ; il durcit quand vous levez le doigt ou le déplacez.</translation>
+    </message>
+    <message>
+        <source>The saved profile cannot be read, so the devices are not opened. %1. Mend the file and start again, or set it aside and go on with the standard values.</source>
+        <translation>Le profil enregistré ne peut être lu, les appareils ne sont donc pas ouverts. %1. Corriger le fichier et redémarrer, ou le mettre de côté et continuer avec les valeurs standard.</translation>
     </message>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>

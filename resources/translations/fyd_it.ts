@@ -4138,6 +4138,10 @@ Premere per leggere perché</translation>
         <translation>Disposizioni salvate</translation>
     </message>
     <message>
+        <source>Saved profile</source>
+        <translation>Profilo salvato</translation>
+    </message>
+    <message>
         <source>Scale of the colours</source>
         <translation>Scala dei colori</translation>
     </message>
@@ -4248,6 +4252,10 @@ Premere per leggere perché</translation>
     <message>
         <source>Set B at the cursor</source>
         <translation>Metti B al cursore</translation>
+    </message>
+    <message>
+        <source>Set it aside</source>
+        <translation>Metti da parte</translation>
     </message>
     <message>
         <source>Set the target by hand</source>
@@ -4790,6 +4798,10 @@ N/mm</translation>
         <translation>Le curve hanno perso %1 campioni.</translation>
     </message>
     <message>
+        <source>The damaged profile is kept as %1. The standard values are in force.</source>
+        <translation>Il profilo danneggiato resta come %1. Valgono i valori standard.</translation>
+    </message>
+    <message>
         <source>The devices are asked first. Then the session starts anew; motors stay off until you arm. The choice is remembered.</source>
         <translation>Prima si interrogano i dispositivi. Poi la sessione ricomincia; i motori restano spenti finché non si arma. La scelta viene ricordata.</translation>
     </message>
@@ -4902,6 +4914,10 @@ Per cominciare: %1</translation>
         <translation>L'altra sessione è disegnata %1 s più tardi di quanto registrata.</translation>
     </message>
     <message>
+        <source>The profile could not be set aside as %1: %2.</source>
+        <translation>Non è stato possibile mettere da parte il profilo come %1: %2.</translation>
+    </message>
+    <message>
         <source>The proposal was not taken: %1</source>
         <translation>La proposta non è stata accolta: %1</translation>
     </message>
@@ -4940,6 +4956,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The robot's stiffness is kept here. Under a finger that rests, the cloth only softens; it stiffens when you lift or move on.</source>
         <translation>La rigidezza del robot è tenuta qui. Sotto un dito fermo il tessuto cede soltanto; s'irrigidisce quando il dito si alza o si sposta.</translation>
+    </message>
+    <message>
+        <source>The saved profile cannot be read, so the devices are not opened. %1. Mend the file and start again, or set it aside and go on with the standard values.</source>
+        <translation>Il profilo salvato non si può leggere, perciò i dispositivi non vengono aperti. %1. Correggere il file e avviare di nuovo, oppure metterlo da parte e proseguire con i valori standard.</translation>
     </message>
     <message>
         <source>The saved values (A) are felt. Go back to B to change anything.</source>

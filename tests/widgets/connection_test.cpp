@@ -54,7 +54,11 @@ struct Started {
     (void)QTest::qWaitForWindowActive(window.get(), kPatience_ms);
     window->start();
     if (start.first) window->showFirstSteps();
-    if (start.devices_remembered) window->expectDevices(opened.missing);
+    if (!start.damaged_profile.empty()) {
+      window->tellDamagedProfile(start.damaged_profile);
+    } else if (start.devices_remembered) {
+      window->expectDevices(opened.missing);
+    }
   }
   [[nodiscard]] std::optional<console::ConnectionWords> remembered() const {
     return console::WindowMemory(console::memoryFile(profile)).devices();
@@ -555,6 +559,52 @@ class ConnectionTest : public QObject {
     memory.setDevices({.touchpad = "kitchen"});
     const auto opened = console::openStart(*console::readStart({}, profile, memory));
     QVERIFY(opened.has_value() && !opened->session->isOpen() && !opened->missing.empty());
+  }
+
+  void aSavedProfileThatCannotBeReadIsSaidAndSetAsideOnlyWhenAsked() {
+    const QTemporaryDir folder;
+    const QString profile = folder.filePath(QStringLiteral("profile.toml"));
+    const QByteArray damaged("[control\nmethod = 2\n");
+    const auto write = [&](const QByteArray& text) {
+      QFile file(profile);
+      return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+    };
+    const auto read = [](const QString& path) {
+      QFile file(path);
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(not there)");
+    };
+    QVERIFY(write(damaged) && QDir(folder.path()).entryList({QStringLiteral("*.damaged*")}).isEmpty());
+    const auto setAside = [](Started& s) { click(s.window->damagedProfile()->strip()->button("profile_set_aside")); };
+    {
+      Started s(folder);
+      const widgets::GuideStrip* strip = s.window->damagedProfile()->strip();
+      QVERIFY(strip->isVisible() && !s.window->missing()->strip()->isVisible());
+      QVERIFY2(strip->advice().contains(QLatin1String("profile.toml")), qPrintable(strip->advice()));
+      QVERIFY2(strip->advice().contains(QLatin1String("line 1")), qPrintable(strip->advice()));
+      QVERIFY(!s.window->session().isOpen());
+      // Neither a save nor a connection goes over it.
+      s.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
+      QVERIFY(s.window->notices()->shownText().contains(QLatin1String("profile.toml")));
+      QCOMPARE(read(profile), damaged);
+      setAside(s);
+      QVERIFY(!strip->isVisible() && !QFileInfo::exists(profile));
+      QCOMPARE(read(profile + QStringLiteral(".damaged")), damaged);
+      WAIT_FOR(s.window->session().isOpen());
+      s.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
+      QVERIFY(read(profile).contains("[control]"));
+    }
+    QVERIFY(Started(folder).start.damaged_profile.empty());
+    // What was set aside before is not lost.
+    QVERIFY(write("x"));
+    Started again(folder);
+    setAside(again);
+    QCOMPARE(read(profile + QStringLiteral(".damaged")), damaged);
+    QCOMPARE(read(profile + QStringLiteral(".damaged-2")), QByteArray("x"));
+    // Who names the devices on the command line is told there.
+    QVERIFY(write("x"));
+    console::Options named;
+    named.station.touchpad = "simulated";
+    QVERIFY(!console::readStart(named, profile, console::WindowMemory(console::memoryFile(profile))).has_value());
   }
 
   void theFirstStepsAreTickedByWhatIsSoAndCanBeClosedAndCalledAgain() {

@@ -49,6 +49,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
           context(), memory_, [this](const QString& place) { frame_->go(place); }, this)),
       missing_(new MissingDevices(
           context(), [this] { chooseDevices(false); }, this)),
+      damaged_profile_(new DamagedProfile(context(), profile_path, this)),
       help_(new HelpDock(this)),
       link_(new LinkDock(tuning_.model(), *connection_, this)),
       recording_(new RecordingControl(context(), memoryFile(profile_path), this)),
@@ -202,6 +203,7 @@ void MainWindow::connectDevices() {
   connect(first_steps_, &FirstSteps::ownAsked, this, [this] { chooseDevices(true); });
   frame_->addStrip(first_steps_->strip());
   frame_->addStrip(missing_->strip());
+  frame_->addStrip(damaged_profile_->strip());
 }
 
 void MainWindow::showWhetherClosed() {

@@ -17,6 +17,7 @@
 #include "app/console/shell/session_feed.h"
 #include "app/console/shell/tuning_bridge.h"
 #include "app/console/window/command_palette.h"
+#include "app/console/window/damaged_profile.h"
 #include "app/console/window/first_steps.h"
 #include "app/console/window/frame.h"
 #include "app/console/window/help_dock.h"
@@ -63,6 +64,8 @@ class MainWindow : public QMainWindow {
   /// The devices are those of last time: when they do not come, the window says what to do.
   /// @param why the session could not be opened; empty: it is open
   void expectDevices(const Message& why) { missing_->expect(why); }
+  /// The user's own profile cannot be read: the window says why, and what to do. The session is closed.
+  void tellDamagedProfile(const Message& why) { damaged_profile_->tell(why); }
 
   /// Goes to the place "Review" and opens a recording there.
   void review(const QString& recording);
@@ -83,6 +86,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] HelpDock* help() const { return help_; }
   [[nodiscard]] FirstSteps* firstSteps() const { return first_steps_; }
   [[nodiscard]] MissingDevices* missing() const { return missing_; }
+  [[nodiscard]] DamagedProfile* damagedProfile() const { return damaged_profile_; }
   [[nodiscard]] LayoutsDialog* layouts() const { return layouts_; }
   [[nodiscard]] Layout layoutNow() const;
   /// What cannot be restored of it is noted in the log.
@@ -136,6 +140,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* log_dock_ = nullptr;
   FirstSteps* first_steps_ = nullptr;
   MissingDevices* missing_ = nullptr;
+  DamagedProfile* damaged_profile_ = nullptr;
   HelpDock* help_ = nullptr;
   LinkDock* link_ = nullptr;
   RecordingControl* recording_ = nullptr;

@@ -29,8 +29,13 @@ Result<Start> readStart(const Options& options, const QString& profile_path, con
   if (!standard || !own) start.station.profile_file = profile_path.toStdString();
   if (!own || (!standard && there)) {
     auto loaded = station::loadProfile(profile_path.toStdString());
-    if (!loaded) return tl::unexpected(loaded.error());
-    start.station.profile = *loaded;
+    if (loaded) {
+      start.station.profile = *loaded;
+    } else if (namesDevices(options)) {
+      return tl::unexpected(loaded.error());
+    } else {
+      start.damaged_profile = loaded.error().message;
+    }
   }
   const auto devices = memory.devices();
   if (devices && own) start.station.profile.sources = *devices;
@@ -40,6 +45,7 @@ Result<Start> readStart(const Options& options, const QString& profile_path, con
 }
 
 Result<OpenedStart> openStart(const Start& start) {
+  if (!start.damaged_profile.empty()) return OpenedStart{.session = closedSession(start.station), .missing = {}};
   auto session = openSession(start.station);
   if (session) return OpenedStart{.session = std::move(*session), .missing = {}};
   if (!start.devices_remembered) return tl::unexpected(session.error());

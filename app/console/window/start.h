@@ -16,11 +16,12 @@ struct Start {
   /// No option says which devices there are, only the user's own profile and memory do: one that is missing does not keep
   /// the window from opening.
   bool devices_remembered = false;
-  bool first = false;  ///< no option, no memory, no profile: somebody new to it
+  Message damaged_profile;  ///< why the user's own profile cannot be read: nothing is opened; empty: it can, or is none
+  bool first = false;       ///< no option, no memory, no profile: somebody new to it
 };
 
 /// @param profile_path of the profile, which need not be there unless an option names it
-/// @return an error when the profile cannot be read
+/// @return an error when a profile cannot be read that an option names, or that belongs to devices an option names
 [[nodiscard]] Result<Start> readStart(const Options& options, const QString& profile_path, const WindowMemory& memory);
 
 struct OpenedStart {
