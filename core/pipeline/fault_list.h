@@ -19,7 +19,7 @@ FAULT(step_gap, 1, rendering, none, none, sentence("the haptic loop stood still 
      sentence("Close other programs on this machine."), now.step_gap)
 FAULT(steps_missed, 2, rendering, none, none, sentence("more than 5 % of the haptic cycles of one second were missed"),
      sentence("Close other programs on this machine."), now.steps_missed)
-FAULT(motors_stale, 3, always, motors, devices, sentence("the motor board is silent"),
+FAULT(motors_stale, 3, always, motors, devices, sentence("the motors are silent"),
      sentence("Check the touchpad's power and its cable."), stale(in.motors, limits.motors_maximum_age_ms))
 FAULT(ir_stale, 4, always, distances, devices, sentence("the distance sensors are silent"),
      sentence("Check the touchpad's power and cables."), stale(in.ir, limits.ir_maximum_age_ms))

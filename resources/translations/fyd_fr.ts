@@ -8374,12 +8374,12 @@ Pour commencer : %1</translation>
         <translation>les millimètres sont sur une droite alors que les pixels n'y sont pas : vérifier les colonnes x_mm et y_mm</translation>
     </message>
     <message>
-        <source>the motor board is silent</source>
-        <translation>la carte moteurs est silencieuse</translation>
-    </message>
-    <message>
         <source>the motors are in use: stop the session first</source>
         <translation>les moteurs sont utilisés : arrêter d'abord la session</translation>
+    </message>
+    <message>
+        <source>the motors are silent</source>
+        <translation>les moteurs sont silencieux</translation>
     </message>
     <message>
         <source>the motors do not answer</source>

@@ -8374,12 +8374,12 @@ Per cominciare: %1</translation>
         <translation>i millimetri stanno su una retta benché i pixel non vi stiano: controllare le colonne x_mm e y_mm</translation>
     </message>
     <message>
-        <source>the motor board is silent</source>
-        <translation>la scheda motori tace</translation>
-    </message>
-    <message>
         <source>the motors are in use: stop the session first</source>
         <translation>i motori sono in uso: fermare prima la sessione</translation>
+    </message>
+    <message>
+        <source>the motors are silent</source>
+        <translation>i motori tacciono</translation>
     </message>
     <message>
         <source>the motors do not answer</source>

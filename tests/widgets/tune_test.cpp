@@ -687,7 +687,7 @@ class TuneTest : public QObject {
     Fixture f;
     f.session->lines = {{.what = say("Motors answer"),
                          .ok = false,
-                         .why = say("the motor board is silent"),
+                         .why = say("the motors are silent"),
                          .remedy = say("Check the touchpad's power and its serial cable."),
                          .fault = pipeline::Fault::motors_stale},
                         {.what = say("Stiffness target known"),
@@ -701,7 +701,7 @@ class TuneTest : public QObject {
     QVERIFY2(list->title().contains(QStringLiteral("1/3")), qPrintable(list->title()));
     QStringList words;
     for (const QLabel* label : list->findChildren<QLabel*>()) words << label->text();
-    QVERIFY(words.contains(QStringLiteral("The motor board is silent")));
+    QVERIFY(words.contains(QStringLiteral("The motors are silent")));
     QVERIFY(words.contains(QStringLiteral("Check the touchpad's power and its serial cable.")));
     QCOMPARE(list->findChildren<QToolButton*>().size(), 2);
     const auto* by_hand = list->findChild<QToolButton*>(QStringLiteral("mend_session.target_by_hand"));

@@ -86,7 +86,7 @@ TEST(Safety, TheNumbersOfFaultsInFilesStay) {
   const std::map<int, std::string_view> words{
       {1, "the haptic loop stood still for more than 20 ms"},
       {2, "more than 5 % of the haptic cycles of one second were missed"},
-      {3, "the motor board is silent"},
+      {3, "the motors are silent"},
       {4, "the distance sensors are silent"},
       {5, "too few distance sensors read within their span"},
       {6, "the load cell is silent"},
