@@ -1262,10 +1262,6 @@
         <translation>Tissu à %1 fois la raideur de sa loi ; capteurs en retard de %2 s, constante de temps %3 s, bruit %4 %. Les courbes ci-dessus montrent ce que ferait la proposition. Rien n'est encore changé.</translation>
     </message>
     <message>
-        <source>Cloth and robot answer (closed loop)</source>
-        <translation>Tissu et robot répondent (boucle fermée)</translation>
-    </message>
-    <message>
         <source>Cloth edges</source>
         <translation>Bords du tissu</translation>
     </message>
@@ -3054,6 +3050,10 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     <message>
         <source>Motors</source>
         <translation>Moteurs</translation>
+    </message>
+    <message>
+        <source>Motors and cloth answer (closed loop)</source>
+        <translation>Moteurs et tissu répondent (boucle fermée)</translation>
     </message>
     <message>
         <source>Motors answer</source>

@@ -1262,10 +1262,6 @@
         <translation>Tessuto %1 volte la rigidezza della sua legge; sensori in ritardo di %2 s con costante di tempo di %3 s, rumore %4 %. Gli andamenti sopra mostrano che cosa farebbe la proposta. Nulla è ancora cambiato.</translation>
     </message>
     <message>
-        <source>Cloth and robot answer (closed loop)</source>
-        <translation>Tessuto e robot rispondono (anello chiuso)</translation>
-    </message>
-    <message>
         <source>Cloth edges</source>
         <translation>Bordi del tessuto</translation>
     </message>
@@ -3054,6 +3050,10 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
     <message>
         <source>Motors</source>
         <translation>Motori</translation>
+    </message>
+    <message>
+        <source>Motors and cloth answer (closed loop)</source>
+        <translation>Motori e tessuto rispondono (anello chiuso)</translation>
     </message>
     <message>
         <source>Motors answer</source>

@@ -75,7 +75,7 @@ WhatIfPanel::WhatIfPanel(widgets::ProgressBars* bars, QWidget* parent)
       value_(new QLineEdit(this)),
       add_(new QPushButton(tr("Add"), this)),
       settings_(new QListWidget(this)),
-      closed_loop_(new QCheckBox(tr("Cloth and robot answer (closed loop)"), this)),
+      closed_loop_(new QCheckBox(tr("Motors and cloth answer (closed loop)"), this)),
       run_(new QPushButton(tr("Run again"), this)),
       words_(new QLabel(this)),
       work_(bars) {
