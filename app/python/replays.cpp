@@ -59,7 +59,7 @@ void addReplay(py::module_& module) {
       .def_property_readonly("from_rest", of(&R::from_rest), "Started without the recorded state [—]")
       .def_property_readonly("identical", of(&R::identical), "Every step came out the same, bit for bit [—]")
       .def_property_readonly("steps", of(&R::samples), "Steps run [1]")
-      .def_property_readonly("of", of(&R::of), "Steps recorded [1]")
+      .def_property_readonly("of", of(&R::of), "Steps there were, those included that the recording lost [1]")
       .def_property_readonly("gaps", of(&R::gaps), "Steps the recording lost; the replay ends at the first gap [1]")
       .def_property_readonly(
           "why_not_exact", [](const Replayed& r) { return textOf(r.result.why_not_exact.text()); },

@@ -50,7 +50,9 @@ struct RecordingHeader {
   std::string version;                       ///< of the program that records
   std::string lateness;                      ///< of the computer: kLatenessWaits, kLatenessFault; empty: not recorded
   std::vector<MissingRows> missing;          ///< of a recovered recording only
-  int arithmetic = pipeline::kArithmetic;    ///< of the step that was recorded
+  /// As in RecordingInfo::missing_columns: what the one had not that this one was copied from, and so was never recorded.
+  std::vector<std::string> lacking;
+  int arithmetic = pipeline::kArithmetic;  ///< of the step that was recorded
 };
 
 /// One picture: its region of interest without loss, as the detector saw it; of some also the whole, compressed.

@@ -274,14 +274,15 @@ Result<ReplayResult> replay(const recording::Recording& recording, const ReplayO
     return tl::unexpected(whole.error());
   }
 
-  ReplayResult out{.what_if = !options.settings.empty(),
-                   .closed_loop = options.closed_loop,
-                   .from_rest = wanted->from_rest,
-                   .of = info.wholeness == recording::Wholeness::damaged ? info.samples : info.committed_samples,
-                   .gaps = info.gaps,
-                   .why_not_exact = whyNoExactReplay(info),
-                   .arithmetic_recorded = info.header.arithmetic,
-                   .tolerance = pipeline::arithmeticTolerance(info.header.arithmetic)};
+  ReplayResult out{
+      .what_if = !options.settings.empty(),
+      .closed_loop = options.closed_loop,
+      .from_rest = wanted->from_rest,
+      .of = info.gaps + (info.wholeness == recording::Wholeness::damaged ? info.samples : info.committed_samples),
+      .gaps = info.gaps,
+      .why_not_exact = whyNoExactReplay(info),
+      .arithmetic_recorded = info.header.arithmetic,
+      .tolerance = pipeline::arithmeticTolerance(info.header.arithmetic)};
   pipeline::Parameters checked = wanted->parameters;
   for (const Parameter& parameter : bindParameters(checked)) {
     if (!insideRange(parameter)) noteOutOfRange(out, parameter);

@@ -33,7 +33,7 @@ struct ReplayResult {
   bool from_rest = false;       ///< started without the recorded state: a changed parameter is not live
   bool identical = false;       ///< every recorded step came out the same, bit for bit
   std::uint64_t samples = 0;    ///< steps run
-  std::uint64_t of = 0;         ///< steps recorded
+  std::uint64_t of = 0;         ///< steps there were, those included that the recording lost
   std::uint64_t gaps = 0;       ///< steps the recording lost; the replay ends at the first gap
   Message why_not_exact;        ///< what is lost in the recording, so that nothing can be proven; empty: nothing
   std::uint64_t different = 0;  ///< steps

@@ -55,6 +55,21 @@ class Golden(fyd.Case):
                 expected, name = line.split()
                 self.assertEqual(hashlib.sha256((GOLDEN / kind / name).read_bytes()).hexdigest(), expected, name)
 
+    def test_written_anew_by_todays_program_they_lack_what_they_lacked_and_replay_as_before(self):
+        def check(folder, name, file):
+            said = [self.json("session", "info", file, "--json")["lacking_columns"], self.replayed(file)]
+            os.truncate(file, os.path.getsize(file) - 1000)  # of the file's last index: no row
+            self.assertEqual(self.json("session", "recover", file, "--json")["result"], "whole")
+            self.assertTrue(os.path.exists(file + ".damaged"))
+            self.assertEqual([self.json("session", "info", file, "--json")["lacking_columns"], self.replayed(file)], said)
+            self.assertTrue(said[0])
+        self.each(check)
+
+    def replayed(self, file):
+        said = self.json("session", "replay", file, "--json")
+        del said["speed_x"]
+        return said
+
     def test_they_open_and_are_whole(self):
         def check(folder, name, file):
             info = self.json("session", "info", file, "--json")

@@ -84,6 +84,9 @@ class Damage(fyd.Case):
         self.assertTrue(self.said("verify", 0)["intact"])
         info = self.said("info", 0)
         self.assertEqual((info["gaps"], info["health"]), (behind, "gaps"))
+        replay = self.said("replay", 1)  # what is left comes out the same, and is not the session
+        self.assertEqual([replay[key] for key in ("identical", "different", "samples", "of")],
+                         [False, 0, self.samples - behind, self.samples])
         self.assertIn({"table": "/telemetry", "first": self.samples - behind, "count": behind},
                       [{key: rows[key] for key in ("table", "first", "count")} for rows in info["missing"]])
         exported = self.json("session", "export", self.file, self.path("left.csv"), "--json")

@@ -9,7 +9,7 @@
 namespace fyd::recording {
 namespace {
 
-// Every text with its path; tags are one text, each tag ended by a line feed.
+// Every text with its path; a list is one text, each of its words ended by a line feed.
 template <class Header, class Visit>
 void visitTexts(Header& header, Visit&& visit) {
   visit("/header/id", header.id);
@@ -30,26 +30,27 @@ constexpr std::uint64_t kLargestScene_bytes = 2ULL << 30;
 /// Of files that do not name theirs.
 constexpr int kUnnamedArithmetic = 1;
 
-std::string joined(const std::vector<std::string>& tags) {
+std::string joined(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& tag : tags) {
-    for (const char c : tag) text += c == '\n' ? ' ' : c;
+  for (const std::string& word : words) {
+    for (const char c : word) text += c == '\n' ? ' ' : c;
     text += '\n';
   }
   return text;
 }
 
 std::vector<std::string> parted(const std::string& text) {
-  std::vector<std::string> tags;
+  std::vector<std::string> words;
   std::size_t from = 0;
   for (std::size_t end = text.find('\n'); end != std::string::npos; from = end + 1, end = text.find('\n', from))
-    tags.push_back(text.substr(from, end - from));
-  return tags;
+    words.push_back(text.substr(from, end - from));
+  return words;
 }
 
 constexpr const char* kScenePath = "/header/scene";        // only where one was felt
 constexpr const char* kLatenessPath = "/header/lateness";  // not in older files
 constexpr const char* kMissingPath = "/header/missing";    // only where something is missing
+constexpr const char* kLackingPath = "/header/lacking";    // only in a copy of an older file
 
 /// A line for each: table, first, count, why.
 std::string linesOf(const std::vector<MissingRows>& missing) {
@@ -89,11 +90,12 @@ std::int64_t checksum(const RecordingHeader& header) {
   }
   if (!header.lateness.empty()) add(kLatenessPath, header.lateness);
   if (!header.missing.empty()) add(kMissingPath, linesOf(header.missing));
+  if (!header.lacking.empty()) add(kLackingPath, joined(header.lacking));
   return crc32c(std::as_bytes(std::span(all)));
 }
 
-std::string readLateness(hid_t file) {
-  return H5Lexists(file, kLatenessPath, H5P_DEFAULT) > 0 ? readText(file, kLatenessPath) : std::string{};
+std::string readTextIfAny(hid_t file, const char* path) {
+  return H5Lexists(file, path, H5P_DEFAULT) > 0 ? readText(file, path) : std::string{};
 }
 
 std::shared_ptr<const std::string> readScene(hid_t file) {
@@ -127,6 +129,7 @@ void writeHeader(hid_t file, const RecordingHeader& header) {
   if (header.scene) writeBytes(file, kScenePath, *header.scene);
   if (!header.lateness.empty()) writeText(file, kLatenessPath, header.lateness);
   if (!header.missing.empty()) writeText(file, kMissingPath, linesOf(header.missing));
+  if (!header.lacking.empty()) writeText(file, kLackingPath, joined(header.lacking));
   writeNumber(file, "header_crc32c", checksum(header));
 }
 
@@ -139,8 +142,9 @@ RecordingHeader readHeader(hid_t file) {
   header.step_state = readBytes(file, "/header/step_state");
   header.arithmetic = readArithmetic(file);
   header.scene = readScene(file);
-  header.lateness = readLateness(file);
-  if (H5Lexists(file, kMissingPath, H5P_DEFAULT) > 0) header.missing = missingOf(readText(file, kMissingPath));
+  header.lateness = readTextIfAny(file, kLatenessPath);
+  header.missing = missingOf(readTextIfAny(file, kMissingPath));
+  header.lacking = parted(readTextIfAny(file, kLackingPath));
   if (readNumber(file, "header_crc32c") != checksum(header)) failHard("its header is damaged: the checksum differs");
   return header;
 }
@@ -165,7 +169,8 @@ RecordingHeader salvageHeader(hid_t file) {
   attempt([&] { header.step_state = readBytes(file, "/header/step_state"); });
   attempt([&] { header.arithmetic = readArithmetic(file); });
   attempt([&] { header.scene = readScene(file); });
-  attempt([&] { header.lateness = readLateness(file); });
+  attempt([&] { header.lateness = readTextIfAny(file, kLatenessPath); });
+  attempt([&] { header.lacking = parted(readTextIfAny(file, kLackingPath)); });
   return header;
 }
 

@@ -189,6 +189,9 @@ class Hdf5Recording final : public DamagedRecording {
         info_.committed_samples == 0 ? 0.0 : secondsInto(info_, Instant(Duration(tables_->last().latest_ns)));
     info_.bytes = source_->bytes();
     info_.missing_columns = tables_->missingColumns();
+    for (const std::string& column : info_.header.lacking)
+      if (std::ranges::find(info_.missing_columns, column) == info_.missing_columns.end())
+        info_.missing_columns.push_back(column);
     info_.unknown_columns = tables_->unknownColumns();
   }
 

@@ -35,7 +35,8 @@ struct RecordingInfo {
   std::uint64_t bytes = 0;          ///< of the file
   Message damage;                   ///< when wholeness is damaged: what is damaged
   std::uint64_t unproven_rows = 0;  ///< of all tables, at their ends, which no sound commit proves: they are not read
-  /// "/inputs/finger quality": what this program records and the file's did not, read as the value of a new struct…
+  /// "/inputs/finger quality": what this program records and the file's did not, nor that of the recording it was copied
+  /// from; read as the value of a new struct…
   std::vector<std::string> missing_columns;
   std::vector<std::string> unknown_columns;  ///< …and what only the file's program knows, which is not read
 };

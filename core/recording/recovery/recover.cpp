@@ -72,6 +72,7 @@ Result<CopyOutcome> copyTo(const std::string& copy, const std::string& found, co
   if (!looked) return looked;
   RecordingHeader header = from.info().header;
   header.missing = looked->missing;
+  header.lacking = from.info().missing_columns;  // the copy has today's columns, with nothing in them
   if (looked->first_lost) header.step_state.clear();
   auto writer = RecordingWriter::create(copy, header);
   if (!writer) return tl::unexpected(writer.error());
