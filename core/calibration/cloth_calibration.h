@@ -3,7 +3,7 @@
 // A sensor under the finger reads nearly all of the indentation, so it gives the depth, and the other sensors give the
 // share of it that they see. Two unknowns for the whole cloth follow from all presses together: the radius
 // share κ (r = κ·√(area/π), core/sensing/contact_cloth.h) and the ratio of the tensions along x and y; the edges, held
-// or free, are those that fit better. Gauss–Newton on
+// or free, are those that fit better. Least squares (Levenberg–Marquardt), with the usual values as a weak prior, on
 //
 //   Σ (zᵢⱼ − sᵢ(κ, ratio)·δⱼ)²/σᵢⱼ²,    δⱼ of each press from its own readings
 //
