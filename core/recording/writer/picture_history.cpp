@@ -11,8 +11,6 @@ namespace {
 
 constexpr int kJpegQuality = 80;
 
-std::size_t bytesOf(const cv::Mat& picture) { return picture.total() * picture.elemSize(); }
-
 }  // namespace
 
 EncodedPicture encodePicture(const HeldPicture& held, bool with_whole) {
@@ -31,14 +29,14 @@ EncodedPicture encodePicture(const HeldPicture& held, bool with_whole) {
 }
 
 void PictureHistory::add(HeldPicture picture) {
-  bytes_ += bytesOf(picture.picture);
+  bytes_ += bytesOf(picture);
   pictures_.push_back(std::move(picture));
   while (pictures_.size() > 1 && bytes_ > kMost_bytes) drop();
 }
 
 void PictureHistory::drop() {
   if (reading_ && reader_ <= dropped_) ++lost_;
-  bytes_ -= bytesOf(pictures_.front().picture);
+  bytes_ -= bytesOf(pictures_.front());
   pictures_.pop_front();
   ++dropped_;
 }

@@ -16,6 +16,10 @@ struct HeldPicture {
   std::uint64_t number = 0;
 };
 
+[[nodiscard]] inline std::size_t bytesOf(const HeldPicture& held) {
+  return held.picture.total() * held.picture.elemSize();
+}
+
 /// The region of interest as PNG, and the whole picture as JPEG when it is asked for or there is no such region; both
 /// empty when the picture cannot be compressed.
 [[nodiscard]] EncodedPicture encodePicture(const HeldPicture& held, bool with_whole = true);
@@ -34,6 +38,8 @@ class PictureHistory {
   void stopReading() { reading_ = false; }
   /// The next one, in order, taken no later than `until`.
   [[nodiscard]] std::optional<HeldPicture> read(Instant until);
+  /// Pictures that never came here, and that the reader would have read.
+  void countLost(std::uint64_t pictures) { lost_ += reading_ ? pictures : 0; }
   /// Pictures dropped before they were read, since readFrom.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
 

@@ -71,6 +71,7 @@ struct Recorder::Impl {
   std::shared_ptr<Answer> begin_answer;
   std::shared_ptr<Answer> end_answer;
   std::vector<Note> notes;
+  bool takes_notes = false;  ///< what is noted now will still be written
   RecorderStatus status;
 
   // the recorder's thread's own
@@ -90,7 +91,7 @@ struct Recorder::Impl {
   [[nodiscard]] Result<void> close();
   void closeFull();
   void failed(const Message& problem);
-  [[nodiscard]] std::vector<Note> takeNotes();
+  [[nodiscard]] std::vector<Note> takeNotes(bool last = false);
   void publish();
 };
 
@@ -157,7 +158,7 @@ Result<void> Recorder::end() {
 
 Result<void> Recorder::note(NoteKind kind, const std::string& text) {
   const std::lock_guard lock(impl_->mutex);
-  if (impl_->status.state != RecorderState::recording) return fail("{}: not kept, nothing is being recorded", text);
+  if (!impl_->takes_notes) return fail("{}: not kept, nothing is being recorded", text);
   impl_->notes.push_back({.when = Clock::now(), .kind = kind, .text = text});
   return {};
 }
@@ -206,8 +207,9 @@ void Recorder::Impl::write() {
   if (!*has_room) closeFull();
 }
 
-std::vector<Note> Recorder::Impl::takeNotes() {
+std::vector<Note> Recorder::Impl::takeNotes(bool last) {
   const std::lock_guard lock(mutex);
+  if (last) takes_notes = false;
   return std::exchange(notes, {});
 }
 
@@ -219,6 +221,7 @@ void Recorder::Impl::answerBegin(const RecordingRequest& request, const std::sha
   begin_answer.reset();
   if (opened) {
     notes.clear();
+    takes_notes = true;
     status = now_recording;
   }
   answered.notify_all();
@@ -265,7 +268,7 @@ Result<void> Recorder::Impl::open(const RecordingRequest& request) {
 }
 
 Result<void> Recorder::Impl::close() {
-  if (auto closed = live->close(takeNotes()); !closed) {
+  if (auto closed = live->close(takeNotes(true)); !closed) {
     failed(closed.error().message);
     return closed;
   }
@@ -286,6 +289,7 @@ void Recorder::Impl::closeFull() {
 }
 
 void Recorder::Impl::failed(const Message& problem) {
+  (void)takeNotes(true);
   live->fillIn(now_recording);
   now_recording.state = RecorderState::failed;
   now_recording.problem =

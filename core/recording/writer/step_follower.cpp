@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/recording/format/step_compare.h"
@@ -42,7 +43,8 @@ void StepFollower::take() {
     newest_ = record_.inputs.now;
     steps_.add(step, newest_);
   }
-  steps_.trim(oldest(), 3 * static_cast<std::size_t>(pre_trigger_s_) + 2);
+  const std::size_t most_chunks = std::max(kLeastChunks, 3 * static_cast<std::size_t>(pre_trigger_s_) + 2);
+  lost_.fetch_add(steps_.trim(oldest(), most_chunks), std::memory_order_relaxed);
 }
 
 // The second pipeline takes the same step. Its state before a chunk's first row goes into the history.

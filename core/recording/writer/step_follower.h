@@ -16,7 +16,8 @@ class StepFollower {
   /// @param pre_trigger_s how long steps are kept
   StepFollower(const pipeline::Parameters& step, const pipeline::LocalModel& local, double pre_trigger_s);
 
-  /// From the haptic loop: never waits nor allocates; a full ring is counted in `lost`.
+  /// From the haptic loop: never waits nor allocates; a full ring is counted in `lost`, as is what the history drops
+  /// before it was written.
   void push(const StepView& step) noexcept;
   [[nodiscard]] std::uint64_t lost() const { return lost_.load(std::memory_order_relaxed); }
 
@@ -40,6 +41,8 @@ class StepFollower {
  private:
   /// At least 2 s of steps whose every list is full, 9 s of usual ones.
   static constexpr std::size_t kRingBytes = 2000 * kLargestPackedStep;
+  /// Seconds that wait for a slow disk, however short the pre-trigger is.
+  static constexpr std::size_t kLeastChunks = 32;
 
   void follow();
 

@@ -19,14 +19,17 @@ void StepHistory::add(std::span<const std::byte> packed, Instant now) {
   ++chunk.count;
 }
 
-void StepHistory::trim(Instant oldest, std::size_t most_chunks) {
+std::uint64_t StepHistory::trim(Instant oldest, std::size_t most_chunks) {
+  std::uint64_t lost = 0;
   while (chunks_.size() > 1) {
     const bool over = chunks_.size() > most_chunks;
     const bool unread = reading_ && reader_chunk_ <= dropped_chunks_;
-    if (!over && (unread || chunks_.front().last >= oldest)) return;
+    if (!over && (unread || chunks_.front().last >= oldest)) break;
+    if (unread) lost += chunks_.front().count - (reader_chunk_ == dropped_chunks_ ? reader_step_ : 0);
     chunks_.pop_front();
     ++dropped_chunks_;
   }
+  return lost;
 }
 
 std::optional<StepHistory::Start> StepHistory::start() const {

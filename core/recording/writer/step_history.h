@@ -32,8 +32,8 @@ class StepHistory {
   void add(std::span<const std::byte> packed, Instant now);
 
   /// Drops whole chunks that ended before `oldest`; not chunks a reader has yet to read, unless there are more than
-  ///  `most_chunks`.
-  void trim(Instant oldest, std::size_t most_chunks);
+  ///  `most_chunks`. @return steps that were dropped before the reader had read them
+  [[nodiscard]] std::uint64_t trim(Instant oldest, std::size_t most_chunks);
 
   /// Where a recording that starts now begins: the oldest chunk's snapshot. Nothing while there is no step.
   struct Start {

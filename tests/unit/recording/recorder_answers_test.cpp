@@ -133,6 +133,44 @@ TEST_F(RecorderAnswers, OfTwoRecordingsBegunAtOnceTheSecondIsRefused) {
   EXPECT_THAT(namesIn(folder.path()), testing::ElementsAre("a.h5"));
 }
 
+TEST_F(RecorderAnswers, NoStepIsLostToASlowDiskHoweverShortThePreTriggerIs) {
+  for (const double pre_trigger_s : {0.0, 1.0}) {
+    Fed fed({.pre_trigger_s = pre_trigger_s});
+    const std::string file = folder.file(fmt::format("{}.h5", pre_trigger_s));
+    ASSERT_TRUE(fed.recorder.begin({.path = file}));
+    fed.disk->shut();
+    fed.push(300);
+    ASSERT_TRUE(comesTrue("the first commit", [&] { return fed.disk->waits(); }));
+    fed.push(5000);  // the loop goes on for five seconds
+    fed.disk->open();
+    fed.pushAndWait(1);
+    ASSERT_TRUE(fed.recorder.end());
+    EXPECT_EQ(fed.recorder.status().lost, 0U);
+    const auto made = Recording::open(file);
+    ASSERT_TRUE(made) << made.error().text();
+    EXPECT_EQ((*made)->info().committed_samples, 5301U) << pre_trigger_s;
+    EXPECT_EQ((*made)->info().gaps, 0U);
+  }
+}
+
+TEST_F(RecorderAnswers, ANoteWhileTheFileIsClosedIsInItOrRefused) {
+  Fed fed;
+  ASSERT_TRUE(fed.recorder.begin({.path = path}));
+  fed.pushAndWait(100);
+  ASSERT_TRUE(fed.recorder.note(NoteKind::note, "before"));
+  fed.disk->shut();
+  std::thread ends([&] { EXPECT_TRUE(fed.recorder.end()); });
+  const auto reached = comesTrue("the closing", [&] { return fed.disk->waits(); });
+  const Result<void> late = fed.recorder.note(NoteKind::note, "late");
+  fed.disk->open();
+  ends.join();
+  ASSERT_TRUE(reached);
+  const auto made = Recording::open(path);
+  ASSERT_TRUE(made) << made.error().text();
+  EXPECT_EQ((*made)->notes()->size(), late ? 2U : 1U);
+  EXPECT_FALSE(fed.recorder.note(NoteKind::note, "after"));
+}
+
 TEST_F(RecorderAnswers, TheSurfaceThatIsFeltStandsInTheFile) {
   texture::SurfaceModel surface{.name = "velvet", .description = "soft"};
   surface.bands = {{.frequency_Hz = 80.0, .quality = 2.0, .rms_g = 0.1}};

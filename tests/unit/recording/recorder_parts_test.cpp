@@ -183,7 +183,7 @@ TEST_F(Steps, WhatIsUnreadCountsFromTheReadersPlaceInWhicheverChunk) {
 
 TEST_F(Steps, OldOnesGoAChunkAtATime) {
   add(5000);
-  history.trim(instantAt(100.0 + 2.5), 100);
+  EXPECT_EQ(history.trim(instantAt(100.0 + 2.5), 100), 0U) << "nobody was to read them";
   ASSERT_TRUE(history.start());
   EXPECT_EQ(history.start()->snapshot->state, "2001");
   history.readFromStart();
@@ -196,11 +196,11 @@ TEST_F(Steps, AReaderThatIsBehindHoldsThemUntilThereAreTooMany) {
   StepRecord record;
   ASSERT_TRUE(history.read(record));
   add(3000);
-  history.trim(instantAt(200.0), 10);
+  EXPECT_EQ(history.trim(instantAt(200.0), 10), 0U);
   ASSERT_TRUE(history.read(record));
   EXPECT_EQ(record.telemetry.step, 2U);
   add(9000);
-  history.trim(instantAt(200.0), 10);
+  EXPECT_EQ(history.trim(instantAt(200.0), 10), 4998U) << "two were read";
   ASSERT_TRUE(history.read(record));
   EXPECT_EQ(record.telemetry.step, 5001U) << "the disk was too slow: a gap";
 }

@@ -279,13 +279,21 @@ TEST(PictureQueue, PicturesThatCameLateAreReadBeforeTheyAreDropped) {
   EXPECT_FALSE(queue.history().read(instantAt(3))) << "read, and old";
 }
 
-TEST(PictureQueue, KeepsTheNewestWhenNobodyTakesThem) {
+TEST(PictureQueue, KeepsTheNewestWhenNobodyTakesThemAndCountsTheOthers) {
   PictureQueue queue;
-  const cv::Mat picture(4, 4, CV_8UC1, cv::Scalar(1));
-  constexpr std::uint64_t kMany = 1000;
-  for (std::uint64_t i = 1; i <= kMany; ++i)
-    queue.offer({.picture = picture, .taken = instantAt(static_cast<double>(i)), .number = i});
+  const cv::Mat picture(1000, 1000, CV_8UC1, cv::Scalar(1));  // 1 MB
+  constexpr std::uint64_t kMany = 100;
+  const auto offer = [&] {
+    for (std::uint64_t i = 1; i <= kMany; ++i)
+      queue.offer({.picture = picture, .taken = instantAt(static_cast<double>(i)), .number = i});
+  };
+  offer();
   queue.take(instantAt(0));
+  EXPECT_EQ(queue.history().lost(), 0U) << "nobody reads";
+  queue.history().readFrom(instantAt(kMany + 1));
+  offer();
+  queue.take(instantAt(0));
+  EXPECT_EQ(queue.history().lost(), kMany - PictureHistory::kMost_bytes / 1'000'000);
   queue.history().readFrom(instantAt(0));
   std::vector<std::uint64_t> numbers;
   while (const auto held = queue.history().read(instantAt(2 * kMany))) numbers.push_back(held->number);
