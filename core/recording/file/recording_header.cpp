@@ -169,6 +169,10 @@ RecordingHeader salvageHeader(hid_t file) {
   attempt([&] { header.step_state = readBytes(file, "/header/step_state"); });
   attempt([&] { header.arithmetic = readArithmetic(file); });
   attempt([&] { header.scene = readScene(file); });
+  attempt([&] {
+    const auto before = missingOf(readTextIfAny(file, kMissingPath));  // what an earlier recovery found
+    header.missing.insert(header.missing.end(), before.begin(), before.end());
+  });
   attempt([&] { header.lateness = readTextIfAny(file, kLatenessPath); });
   attempt([&] { header.lacking = parted(readTextIfAny(file, kLackingPath)); });
   return header;

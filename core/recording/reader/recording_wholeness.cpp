@@ -33,6 +33,14 @@ Message damageOf(const RecordingSource& source, const RecordingTables& tables, s
   return listed(std::move(out));
 }
 
+/// Steps that a recovery found gone. @return at most 2⁶⁴ − 1, whatever the file says
+std::uint64_t goneSteps(const RecordingHeader& header) {
+  std::uint64_t sum = 0;
+  for (const MissingRows& rows : header.missing)
+    if (rows.table == layoutOf(Table::telemetry).path) sum = sum + rows.count < sum ? ~0ULL : sum + rows.count;
+  return sum;
+}
+
 }  // namespace
 
 void judge(const RecordingSource& source, const RecordingTables& tables, RecordingInfo& info) {
@@ -41,7 +49,8 @@ void judge(const RecordingSource& source, const RecordingTables& tables, Recordi
   info.samples = tables.present(Table::telemetry);
   info.frames = tables.rows(Table::pictures);
   info.events = tables.rows(Table::events);
-  info.gaps = std::max(last.jumped, last.lost);  // steps lost by the ring also count as a jump once a step follows
+  // Steps lost by the ring, or by a recovery, also count as a jump once a step follows.
+  info.gaps = std::max({last.jumped, last.lost, goneSteps(info.header)});
   info.unproven_rows = 0;
   info.damage = {};
   if (source.growing()) {

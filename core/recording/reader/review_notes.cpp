@@ -61,6 +61,12 @@ Result<ReviewNotes> readReviewNotes(const std::string& recording_path, const std
   return review;
 }
 
+std::vector<std::string> tagsInForce(const RecordingInfo& info) {
+  if (info.path.empty()) return info.header.tags;
+  const auto review = readReviewNotes(info.path, info.header.id);
+  return review && review->tags ? *review->tags : info.header.tags;
+}
+
 Result<void> writeReviewNotes(const std::string& recording_path, const std::string& id, ReviewNotes review) {
   std::ranges::stable_sort(review.notes, {}, &ReviewNote::time_s);
   const std::string recording = wholeOf(recording_path);

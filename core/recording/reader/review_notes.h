@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/recording/recording_types.h"
+#include "core/recording/reader/recording_info.h"
 
 namespace fyd::recording {
 
@@ -28,6 +28,9 @@ struct ReviewNotes {
 /// @return an error that names file and entry when it is damaged, or when its notes are of a recording with another id;
 /// a file that says no id is taken
 [[nodiscard]] Result<ReviewNotes> readReviewNotes(const std::string& recording_path, const std::string& id);
+
+/// The tags that hold: the review's where it changed them and can be read, otherwise the recording's own.
+[[nodiscard]] std::vector<std::string> tagsInForce(const RecordingInfo& info);
 
 /// Replaces the file atomically: a reader sees the old notes or the new ones.
 [[nodiscard]] Result<void> writeReviewNotes(const std::string& recording_path, const std::string& id,

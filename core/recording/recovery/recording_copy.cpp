@@ -56,7 +56,6 @@ class Copy {
     list(Table::notes, [&](std::uint64_t i) { return copy(from_.note(i)); });
     list(Table::link, [&](std::uint64_t i) { return copy(from_.linkRow(i)); });
     if (auto done = pictures(partOf(progress, kStepsCopied, 1.0)); !done) return tl::unexpected(done.error());
-    if (to_ != nullptr) to_->countLost(from_.info().gaps + outcome_.lost_steps);
     outcome_.missing = missing_.take();
     return std::move(outcome_);
   }
@@ -80,7 +79,7 @@ class Copy {
         if (auto put = to_->append(*record); !put) return put;
       ++outcome_.steps;
     }
-    carryOver(Table::telemetry, rows.committed, outcome_.steps);
+    carryOverRest(Table::telemetry, rows.committed, outcome_.steps);
     outcome_.lost_steps += rows.in_file - rows.committed;
     unproven(Table::telemetry, rows, outcome_.steps);
     return {};
@@ -124,7 +123,7 @@ class Copy {
       else
         missing_.addGone(table, copied, 1, withoutName(done.error().text()));
     }
-    carryOver(table, rows.committed, copied);
+    carryOverRest(table, rows.committed, copied);
     unproven(table, rows, copied);
   }
 
@@ -148,6 +147,13 @@ class Copy {
   void carryOver(Table table, std::uint64_t row, std::uint64_t copied) {
     for (const MissingRows& rows : from_.info().header.missing)
       if (rows.first == row && rows.table == layoutOf(table).path)
+        missing_.addGone(table, copied, rows.count, rows.why);
+  }
+
+  /// What it lost at the end, or behind what can be proven now.
+  void carryOverRest(Table table, std::uint64_t rows_read, std::uint64_t copied) {
+    for (const MissingRows& rows : from_.info().header.missing)
+      if (rows.first >= rows_read && rows.table == layoutOf(table).path)
         missing_.addGone(table, copied, rows.count, rows.why);
   }
 

@@ -77,6 +77,7 @@ Result<CopyOutcome> copyTo(const std::string& copy, const std::string& found, co
   auto writer = RecordingWriter::create(copy, header);
   if (!writer) return tl::unexpected(writer.error());
   unfinished.file = partialOf(copy);
+  (*writer)->countLost(from.info().gaps + looked->lost_steps);  // in each of its commits: another recovery needs one
   auto copied = copyReadable(found, from, writer->get(), partOf(progress, kLooked, 1.0));
   if (!copied) return copied;
   if (*copied != *looked) return fail("{}: reads differently each time; copy it to another disk first", found);
@@ -88,6 +89,10 @@ Result<CopyOutcome> copyTo(const std::string& copy, const std::string& found, co
 
 Result<RecoverOutcome> copyWhatIsLeft(const DamagedRecording& from, const std::string& found, const std::string& target,
                                       const Progress& progress) {
+  if (const auto& unknown = from.info().unknown_columns; !unknown.empty()) {
+    return fail("{}: a later program recorded {}, which a copy by this one would lose; recover it with that program",
+                found, fmt::join(unknown, ", "));
+  }
   Unfinished unfinished;
   dropLeftCopy(target + kCopyEnding, from.info().header.id);
   const auto copy = freeName(target + kCopyEnding);
@@ -96,8 +101,9 @@ Result<RecoverOutcome> copyWhatIsLeft(const DamagedRecording& from, const std::s
   if (!copied) return tl::unexpected(copied.error());
   const auto kept = freeName(target + kKeptEnding);
   if (!kept) return tl::unexpected(kept.error());
-  if (auto named = giveName(found, *kept); !named) return tl::unexpected(named.error());
+  if (auto named = renameNew(found, *kept); !named) return tl::unexpected(named.error());
   unfinished.file.clear();  // from here on it is the only file under this name
+  if (auto synced = syncFolder(*kept); !synced) return tl::unexpected(synced.error());
   if (auto named = giveName(*copy, target); !named) return tl::unexpected(named.error());
   const bool all = copied->lost_steps == 0 && copied->missing.empty();
   return RecoverOutcome{.result = all ? RecoverResult::whole : RecoverResult::part_lost,

@@ -96,6 +96,31 @@ TEST_F(RecoverMissing, WhatWasLostOnceIsStillNamedAfterASecondRecovery) {
   EXPECT_EQ(lost, (std::map<std::string, std::uint64_t>{{"/telemetry", 500}, {"/inputs/motor_reference", all - 500}}));
 }
 
+TEST_F(RecoverMissing, StepsThatWereLostAtTheEndStayLostHoweverOftenItIsRecovered) {
+  record(3.0);
+  const std::uint64_t last = (all - 1) / 250;
+  samples::damageChunk(file("a.h5"), "/telemetry", last);
+  const auto first = recover(file("a.h5"));
+  ASSERT_TRUE(first) << first.error().text();
+  ASSERT_EQ(first->lost_steps, all - 250 * last);
+  const std::string once = samples::contentOf(file("a.h5"));
+  for (const std::size_t cut : {1'000U, 20'000U, 60'000U, 120'000U}) {
+    samples::write(file("a.h5"), once.substr(0, once.size() - cut));
+    const auto again = recover(file("a.h5"));
+    ASSERT_TRUE(again) << cut << ": " << again.error().text();
+    const auto kept = open("a.h5");
+    ASSERT_TRUE(kept);
+    std::uint64_t gone = 0;
+    for (const MissingRows& rows : kept->info().header.missing) gone += rows.table == "/telemetry" ? rows.count : 0;
+    EXPECT_EQ(kept->info().committed_samples + gone, all) << cut;
+    EXPECT_EQ(kept->info().gaps, gone) << cut;
+    const auto replayed = replay::replay(*kept, {});
+    ASSERT_TRUE(replayed) << replayed.error().text();
+    EXPECT_EQ(replayed->of, all) << cut;
+    EXPECT_FALSE(replayed->identical) << cut;
+  }
+}
+
 TEST_F(RecoverMissing, WithoutTheFirstStepNothingIsReplayedFromAStateThatIsNotItsOwn) {
   record(2.0);
   samples::damageChunk(file("a.h5"), "/telemetry", 0);
@@ -122,6 +147,21 @@ TEST_F(RecoverMissing, AHeaderWhoseChecksumDiffersIsNotTakenForTrue) {
   ASSERT_EQ(kept->info().header.missing.size(), 1U);
   EXPECT_EQ(kept->info().header.missing[0].table, "/header");
   EXPECT_FALSE(whyNoExactReplay(kept->info()).empty());
+}
+
+TEST_F(RecoverMissing, WhatWasLostIsStillNamedWhenTheHeaderIsDamagedLater) {
+  record(2.0);
+  flipBit(file("a.h5"), chunkOf(file("a.h5"), "/inputs/motor_reference", 0).first + 17, 4);
+  ASSERT_EQ(recover(file("a.h5"))->result, RecoverResult::part_lost);
+  const std::size_t text = samples::contentOf(file("a.h5")).find("control.kp", kJournalBytes);
+  ASSERT_NE(text, std::string::npos);
+  flipBit(file("a.h5"), text, 0);
+  ASSERT_TRUE(recover(file("a.h5")));
+  const auto kept = open("a.h5");
+  ASSERT_TRUE(kept);
+  std::map<std::string, std::uint64_t> lost;
+  for (const MissingRows& rows : kept->info().header.missing) lost[rows.table] += rows.count;
+  EXPECT_EQ(lost, (std::map<std::string, std::uint64_t>{{"/header", 1}, {"/inputs/motor_reference", all}}));
 }
 
 }  // namespace
