@@ -122,9 +122,11 @@ void makeLaw(StiffnessMap& out) {
     points.push_back({a.angle_deg, a.stiffness_N_per_mm, 1.0 / (error * error)});
   }
   auto law = poolViolators(points);
-  if (law.size() < points.size()) {
-    out.result.notes.push_back(
-        say("{} angles are not told apart by their stiffness and were pooled", points.size() - law.size() + 1));
+  const auto alone = [&law](const MonotonePoint& point) {
+    return std::ranges::any_of(law, [&](const auto& l) { return l.place == point.place && l.weight == point.weight; });
+  };
+  if (const auto pooled = points.size() - static_cast<std::size_t>(std::ranges::count_if(points, alone)); pooled > 0) {
+    out.result.notes.push_back(say("{} angles are not told apart by their stiffness and were pooled", pooled));
   }
   while (law.size() > kParameterListCapacity) {  // the profile's list holds no more: join the nearest neighbours
     std::size_t nearest = 0;

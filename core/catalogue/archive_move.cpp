@@ -182,6 +182,14 @@ Result<bool> alreadyThere(const std::string& source, const std::string& target) 
   return fail("{}: there is another file of this name; nothing was moved", target);
 }
 
+/// @return whether it was there already
+Result<bool> copyOnce(const std::string& source, const std::string& target) {
+  auto there = alreadyThere(source, target);
+  if (!there || *there) return there;
+  if (auto copied = copyVerified(source, target); !copied) return tl::unexpected(copied.error());
+  return false;
+}
+
 }  // namespace
 
 Result<StoredFile> moveFile(const std::string& file, const std::string& folder,
@@ -239,11 +247,17 @@ Result<StoredFile> storeClosed(const std::string& file, const std::string& folde
     catalogue = std::move(*opened);
   }
   const std::string notes = recording::reviewNotesPath(entry->path);
+  std::error_code error;
   auto moved = moveFile(entry->path, folder, [&](const std::string& path) -> Result<void> {
     entry->path = path;
+    // Before the recording goes: a move that is interrupted after it cannot be repeated.
+    if (fs::exists(notes, error)) {
+      if (auto copied = copyOnce(notes, fs::path(path).parent_path() / fs::path(notes).filename()); !copied) {
+        return tl::unexpected(copied.error());
+      }
+    }
     return catalogue ? catalogue->add(*entry) : Result<void>();
   });
-  std::error_code error;
   if (!moved || !fs::exists(notes, error)) return moved;
   const auto followed = moveFile(notes, folder, [](const std::string&) -> Result<void> { return {}; });
   if (!followed) return fail("{} is stored, its notes are not: {}", moved->path, followed.error().message);

@@ -50,7 +50,7 @@ Result<ExportResult> exportCsv(const recording::Recording& recording, const std:
                                const ExportOptions& options) {
   const auto selection = selectSomeRows(recording, options);
   if (!selection) return tl::unexpected(selection.error());
-  const auto lines = logLines(recording);
+  const auto lines = logLines(recording, options.from_s);
   if (!lines) return tl::unexpected(lines.error());
 
   ExportResult result{.rows = selection->end - selection->first};

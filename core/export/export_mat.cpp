@@ -9,6 +9,7 @@
 #include "core/export/export_selection.h"
 #include "core/export/export_words.h"
 #include "core/recording/file/export_file.h"
+#include "core/recording/reader/review_notes.h"
 
 namespace fyd::exports {
 namespace {
@@ -36,9 +37,10 @@ Result<void> fillColumns(const recording::Recording& recording, const ExportSele
   });
 }
 
-MatValue headerStruct(const recording::RecordingHeader& header) {
+MatValue headerStruct(const recording::RecordingInfo& info) {
+  const recording::RecordingHeader& header = info.header;
   std::string tags;
-  for (const std::string& tag : header.tags) tags += (tags.empty() ? "" : " ") + tag;
+  for (const std::string& tag : recording::tagsInForce(info)) tags += (tags.empty() ? "" : " ") + tag;
   Fields fields;
   const auto add = [&](const char* name, const std::string& text) {
     fields.emplace_back(name, matText(name, cleanText(text)));
@@ -99,7 +101,7 @@ Result<ExportResult> exportMat(const recording::Recording& recording, const std:
                                const ExportOptions& options) {
   auto selection = selectSomeRows(recording, options);
   if (!selection) return tl::unexpected(selection.error());
-  const auto lines = logLines(recording);
+  const auto lines = logLines(recording, options.from_s);
   if (!lines) return tl::unexpected(lines.error());
   const std::uint64_t rows = selection->end - selection->first;
   const std::uint64_t payload = rows * (selection->fields.size() + 1) * sizeof(double);
@@ -132,7 +134,7 @@ Result<ExportResult> exportMat(const recording::Recording& recording, const std:
   std::vector<MatValue> variables;
   variables.push_back(matStruct("telemetry", std::move(telemetry)));
   variables.push_back(matStruct("units", std::move(units)));
-  variables.push_back(headerStruct(recording.info().header));
+  variables.push_back(headerStruct(recording.info()));
   variables.push_back(eventsStruct(*lines, options, result.lines));
 
   done = writeVariables(file->temporary(), path, variables);

@@ -77,7 +77,7 @@ class McapExport {
     log_ = channel("/log", "foxglove.Log", logSchema());
     link_ = channel("/link", "fyd.Link", linkSchema());
 
-    auto lines = logLines(recording_);
+    auto lines = logLines(recording_, options_.from_s);
     if (!lines) return tl::unexpected(lines.error());
     lines_ = std::move(*lines);
     auto rows = recording_.linkRows();

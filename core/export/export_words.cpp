@@ -47,11 +47,12 @@ LogWeight weigh(const pipeline::Event& e) {
   return plain;
 }
 
-void addReviewNotes(const recording::RecordingInfo& info, std::vector<LogLine>& lines) {
+void addReviewNotes(const recording::RecordingInfo& info, double from_s, std::vector<LogLine>& lines) {
   if (info.path.empty()) return;
   const auto review = recording::readReviewNotes(info.path, info.header.id);
   if (!review) {
-    lines.push_back({.kind = toString(recording::NoteKind::alarm),
+    lines.push_back({.time_s = std::max(0.0, from_s),
+                     .kind = toString(recording::NoteKind::alarm),
                      .text = cleanText(review.error().text()),
                      .weight = LogWeight::serious});
     return;
@@ -117,7 +118,7 @@ std::string cleanText(std::string_view text) {
   return clean;
 }
 
-Result<std::vector<LogLine>> logLines(const recording::Recording& recording) {
+Result<std::vector<LogLine>> logLines(const recording::Recording& recording, double from_s) {
   const auto events = recording.events();
   if (!events) return tl::unexpected(events.error());
   const auto notes = recording.notes();
@@ -136,7 +137,7 @@ Result<std::vector<LogLine>> logLines(const recording::Recording& recording) {
                      .text = cleanText(note.text),
                      .weight = note.kind == recording::NoteKind::alarm ? LogWeight::serious : LogWeight::marked});
   }
-  addReviewNotes(recording.info(), lines);
+  addReviewNotes(recording.info(), from_s, lines);
   std::ranges::stable_sort(lines, {}, &LogLine::time_s);
   return lines;
 }

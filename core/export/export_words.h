@@ -27,7 +27,8 @@ struct LogLine {
 [[nodiscard]] std::string describeEvent(const pipeline::Event& event);
 
 /// The whole log, as valid UTF-8. Notes of a review that cannot be read are a serious line that says why.
-[[nodiscard]] Result<std::vector<LogLine>> logLines(const recording::Recording& recording);
+/// @param from_s of what is wanted of it: such a line has no time of its own
+[[nodiscard]] Result<std::vector<LogLine>> logLines(const recording::Recording& recording, double from_s = 0.0);
 
 /// Bytes that are no UTF-8 and control characters other than line ends and tabs become U+FFFD.
 [[nodiscard]] std::string cleanText(std::string_view text);

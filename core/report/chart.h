@@ -53,8 +53,8 @@ inline constexpr double kChartLeft = 46.0;   ///< room for the numbers of the ve
 inline constexpr double kChartTitle = 16.0;  ///< and for the title above the curves
 inline constexpr double kChartAxis = 26.0;   ///< and for the time below the last strip
 
-/// Round numbers, 1, 2 or 5 × a power of ten apart, at most `most` of them, within [low, high].
-/// Empty when the bounds are no range.
+/// Round numbers, 1, 2 or 5 × a power of ten apart, within [low, high]: at most `most` of them, and one more where both
+/// bounds are such numbers. Empty when the bounds are no range.
 [[nodiscard]] std::vector<double> axisTicks(double low, double high, int most);
 
 /// `box` holds title and curves. The vertical axis reaches from the smallest to the largest value and holds zero.

@@ -7,6 +7,7 @@
 #include "core/catalogue/catalogue_types.h"
 #include "core/export/export_selection.h"
 #include "core/recording/reader/recording_health.h"
+#include "core/recording/reader/review_notes.h"
 
 namespace fyd::report {
 namespace {
@@ -49,7 +50,7 @@ Result<RowFigures> lookAtRows(const recording::Recording& recording, const recor
 std::vector<std::pair<std::string, std::string>> headerFacts(const recording::RecordingInfo& info) {
   const recording::RecordingHeader& header = info.header;
   std::string tags;
-  for (const std::string& tag : header.tags) tags += (tags.empty() ? "" : ", ") + tag;
+  for (const std::string& tag : recording::tagsInForce(info)) tags += (tags.empty() ? "" : ", ") + tag;
   std::vector<std::pair<std::string, std::string>> facts;
   const auto add = [&](const char* what, const std::string& text) {
     facts.emplace_back(what, text.empty() ? "–" : exports::cleanText(text));
@@ -102,7 +103,11 @@ ReportTable healthTable(const recording::RecordingInfo& info, const RowFigures& 
   add("File", fmt::format("{}, {:.1f} MB", catalogue::toString(info.wholeness), static_cast<double>(info.bytes) / 1e6));
   if (const auto [word, reason] = healthOf(info); !reason.empty())
     add("Health", fmt::format("{}: {}", word, reason.text()));
-  add("Samples lost", figures.lost == 0 ? "none" : fmt::format("{} (breaks: {})", figures.lost, figures.breaks));
+  const std::uint64_t outside = info.gaps - std::min(info.gaps, figures.lost);  // no sample follows these
+  add("Samples lost", figures.lost + outside == 0 ? "none"
+                      : outside == 0              ? fmt::format("{} (breaks: {})", figures.lost, figures.breaks)
+                                                  : fmt::format("{} (breaks: {}; before or after the rest: {})",
+                                                                figures.lost + outside, figures.breaks, outside));
   add("Missed cycles of the loop", reportNumber(figures.missed_cycles, 0));
   add("Pictures", std::to_string(info.frames));
   if (link.empty()) {
