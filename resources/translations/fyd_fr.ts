@@ -1246,8 +1246,8 @@
         <translation>Fermé</translation>
     </message>
     <message>
-        <source>Closed loop: cloth and robot answer as identified from this recording.</source>
-        <translation>Boucle fermée : tissu et robot répondent comme identifié dans cet enregistrement.</translation>
+        <source>Closed loop: motors and cloth answer as identified from this recording.</source>
+        <translation>Boucle fermée : moteurs et tissu répondent comme identifiés dans cet enregistrement.</translation>
     </message>
     <message>
         <source>Closed: the robot has said goodbye</source>
@@ -1890,8 +1890,8 @@ Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouve
         <translation>Doigt</translation>
     </message>
     <message>
-        <source>Finger area in pixels</source>
-        <translation>Aire du doigt en pixels</translation>
+        <source>Finger area in square millimetres</source>
+        <translation>Aire du doigt en millimètres carrés</translation>
     </message>
     <message>
         <source>Finger centre x</source>
@@ -3196,6 +3196,10 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
         <translation>Pas de rapport : %1.</translation>
     </message>
     <message>
+        <source>No robot on a network: the target is a scene's, or set by hand.</source>
+        <translation>Aucun robot sur un réseau : l’objectif est celui d’une scène, ou fixé à la main.</translation>
+    </message>
+    <message>
         <source>No route to host</source>
         <translation>pas de route vers l'hôte</translation>
     </message>
@@ -3486,6 +3490,10 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     <message>
         <source>Only while nothing renders: press Esc first.</source>
         <translation>Seulement sans rendu : appuyer d'abord sur Esc.</translation>
+    </message>
+    <message>
+        <source>Only with motors that answer.</source>
+        <translation>Seulement avec des moteurs qui répondent.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4882,6 +4890,10 @@ Pour commencer : %1</translation>
         <translation>Les moteurs sont coupés. %1 points jusqu'ici.</translation>
     </message>
     <message>
+        <source>The motors are off. The sweep was not finished: its points are left out.</source>
+        <translation>Les moteurs sont coupés. Le balayage n’a pas été achevé : ses points sont écartés.</translation>
+    </message>
+    <message>
         <source>The motors are off: %1. %2 points so far.</source>
         <translation>Les moteurs sont coupés : %1. %2 points jusqu'ici.</translation>
     </message>
@@ -4996,10 +5008,6 @@ Pour commencer : %1</translation>
     <message>
         <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
         <translation>La session n’a pas d’appareils : elle est fermée. Les choisir à côté et presser Connecter.</translation>
-    </message>
-    <message>
-        <source>The session has no robot; the target is set by hand.</source>
-        <translation>La session n'a pas de robot ; la consigne se règle à la main.</translation>
     </message>
     <message>
         <source>The session is closed. %1. Choose other devices.</source>
@@ -9324,6 +9332,10 @@ Pour commencer : %1</translation>
     <message>
         <source>{}: a header but no rows</source>
         <translation>{} : un en-tête mais pas de lignes</translation>
+    </message>
+    <message>
+        <source>{}: a later program recorded {}, which a copy by this one would lose; recover it with that program</source>
+        <translation>{} : un programme ultérieur a enregistré {}, qu'une copie par celui-ci perdrait ; le récupérer avec ce programme-là</translation>
     </message>
     <message>
         <source>{}: a link to another place; a recording holds its own values</source>

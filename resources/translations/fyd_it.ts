@@ -1246,8 +1246,8 @@
         <translation>Chiuso</translation>
     </message>
     <message>
-        <source>Closed loop: cloth and robot answer as identified from this recording.</source>
-        <translation>Anello chiuso: tessuto e robot rispondono come identificato da questa registrazione.</translation>
+        <source>Closed loop: motors and cloth answer as identified from this recording.</source>
+        <translation>Anello chiuso: motori e tessuto rispondono come identificati da questa registrazione.</translation>
     </message>
     <message>
         <source>Closed: the robot has said goodbye</source>
@@ -1890,8 +1890,8 @@ Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.
         <translation>Dito</translation>
     </message>
     <message>
-        <source>Finger area in pixels</source>
-        <translation>Area del dito in pixel</translation>
+        <source>Finger area in square millimetres</source>
+        <translation>Area del dito in millimetri quadrati</translation>
     </message>
     <message>
         <source>Finger centre x</source>
@@ -3196,6 +3196,10 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
         <translation>Nessun rapporto: %1.</translation>
     </message>
     <message>
+        <source>No robot on a network: the target is a scene's, or set by hand.</source>
+        <translation>Nessun robot in rete: l'obiettivo è di una scena, o impostato a mano.</translation>
+    </message>
+    <message>
         <source>No route to host</source>
         <translation>nessun percorso verso l'host</translation>
     </message>
@@ -3486,6 +3490,10 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
     <message>
         <source>Only while nothing renders: press Esc first.</source>
         <translation>Solo mentre nulla è reso: premere prima Esc.</translation>
+    </message>
+    <message>
+        <source>Only with motors that answer.</source>
+        <translation>Solo con motori che rispondono.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4882,6 +4890,10 @@ Per cominciare: %1</translation>
         <translation>I motori sono spenti. %1 punti finora.</translation>
     </message>
     <message>
+        <source>The motors are off. The sweep was not finished: its points are left out.</source>
+        <translation>I motori sono spenti. La corsa non è stata completata: i suoi punti sono esclusi.</translation>
+    </message>
+    <message>
         <source>The motors are off: %1. %2 points so far.</source>
         <translation>I motori sono spenti: %1. %2 punti finora.</translation>
     </message>
@@ -4996,10 +5008,6 @@ Per cominciare: %1</translation>
     <message>
         <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
         <translation>La sessione non ha dispositivi: è chiusa. Sceglierli qui accanto e premere Collega.</translation>
-    </message>
-    <message>
-        <source>The session has no robot; the target is set by hand.</source>
-        <translation>La sessione non ha robot; l'obiettivo si imposta a mano.</translation>
     </message>
     <message>
         <source>The session is closed. %1. Choose other devices.</source>
@@ -9324,6 +9332,10 @@ Per cominciare: %1</translation>
     <message>
         <source>{}: a header but no rows</source>
         <translation>{}: un'intestazione ma nessuna riga</translation>
+    </message>
+    <message>
+        <source>{}: a later program recorded {}, which a copy by this one would lose; recover it with that program</source>
+        <translation>{}: un programma successivo ha registrato {}, che una copia fatta da questo perderebbe; recuperarla con quel programma</translation>
     </message>
     <message>
         <source>{}: a link to another place; a recording holds its own values</source>

@@ -202,15 +202,23 @@ class CalibrateMotionTest : public QObject {
     QVERIFY(std::abs(profile->step.control.encoder_zero_first_counts - 4000) <= 1);
     QVERIFY(std::abs(profile->step.control.encoder_zero_second_counts - 700) <= 1);
     QVERIFY(!profile->step.control.encoder_first_inverted && profile->step.control.encoder_second_inverted);
-    // A sweep that is let go too early is refused with what to do.
-    c.session->reports = {encoders(0.0)};
+    // One that is let go leaves no points, however many it had.
+    c.session->test_status = {.running = true, .test = device::DeviceTest::sweep};
     c.hold();
-    c.session->test_status.resting = true;
-    c.readings(2);
+    for (const double deg : {0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0}) {
+      c.session->test_status.resting = false;
+      c.readings(2);
+      c.session->reports = {encoders(deg)};
+      c.session->test_status.resting = true;
+      c.session->test_status.commanded_deg = {deg, -deg};
+      c.readings(3);
+    }
+    QCOMPARE(c.page->points().size(), std::size_t{7});
+    QVERIFY(c.page->acceptButton()->isEnabled());
     c.letGo();
-    QVERIFY2(c.page->fitPanel()->verdict().contains(QLatin1String("sweep farther")),
-             qPrintable(c.page->fitPanel()->verdict()));
+    QVERIFY2(c.page->hint().contains(QLatin1String("not finished")), qPrintable(c.page->hint()));
     QVERIFY(!c.page->acceptButton()->isEnabled());
+    QVERIFY(c.page->unfinished().isEmpty());
   }
 
   void theAccelerometerAtRestIsNotedAndChangesNothing() {

@@ -580,7 +580,7 @@ class ConnectionTest : public QObject {
       const widgets::GuideStrip* strip = s.window->damagedProfile()->strip();
       QVERIFY(strip->isVisible() && !s.window->missing()->strip()->isVisible());
       QVERIFY2(strip->advice().contains(QLatin1String("profile.toml")), qPrintable(strip->advice()));
-      QVERIFY2(strip->advice().contains(QLatin1String("line 1")), qPrintable(strip->advice()));
+      QVERIFY2(strip->advice().contains(QLatin1String("profile.toml:1: ")), qPrintable(strip->advice()));
       QVERIFY(!s.window->session().isOpen());
       // Neither a save nor a connection goes over it.
       s.window->commands().action(QStringLiteral("session.save_profile"))->trigger();

@@ -44,7 +44,7 @@ CameraPanel::CameraPanel(QWidget* parent)
   grid->setVerticalSpacing(0);
   const QString names[3] = {tr("x"), tr("y"), tr("area")};
   const QString long_names[3] = {tr("Finger x in millimetres"), tr("Finger y in millimetres"),
-                                 tr("Finger area in pixels")};
+                                 tr("Finger area in square millimetres")};
   for (int i = 0; i < 3; ++i) {
     auto* name = new QLabel(names[i], this);
     name->setProperty("role", "muted");

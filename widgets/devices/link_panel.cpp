@@ -53,7 +53,8 @@ SecurityWords describe(const LinkView& view) {
                                               "the robot. Use it on a line of its own.")};
     case LinkView::Security::no_link: break;
   }
-  return {{}, LinkPanel::tr("No link"), LinkPanel::tr("The session has no robot; the target is set by hand.")};
+  return {
+      {}, LinkPanel::tr("No link"), LinkPanel::tr("No robot on a network: the target is a scene's, or set by hand.")};
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ CalibrationButtons::CalibrationButtons(QWidget* parent) : QFrame(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
   row->setSpacing(kGrid);
-  why_still_ = new QLabel(tr("Only while nothing renders: press Esc first."), this);
+  why_still_ = new QLabel(this);
   back_ = add("calibrate_back", tr("Back"), tr("Takes the last point back."));
   take_ = add("calibrate_take", tr("Take point"), tr("Averages the signal and adds it to the points."));
   move_ = new widgets::HoldButton(tr("Hold to move"), this);
@@ -55,7 +55,8 @@ void CalibrationButtons::allow(const Allowed& allowed) {
   take_->setVisible(!allowed.moves);
   move_->setVisible(allowed.moves);
   move_->setEnabled(allowed.may_move);
-  why_still_->setVisible(allowed.moves && allowed.renders);
+  why_still_->setText(allowed.why_still);
+  why_still_->setVisible(allowed.moves && !allowed.why_still.isEmpty());
   report_->setEnabled(!allowed.taking);
   take_->setEnabled(!allowed.taking);
   simulate_->setEnabled(!allowed.taking);

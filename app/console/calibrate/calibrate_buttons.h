@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
+#include <QString>
 
 #include "widgets/basics/hold_button.h"
 
@@ -18,7 +19,7 @@ class CalibrationButtons : public QFrame {
   struct Allowed {
     bool moves = false;     ///< the part's points are taken while motors move
     bool may_move = false;  ///< nothing renders, and the station answers
-    bool renders = false;   ///< why motors cannot be moved
+    QString why_still;      ///< why motors cannot be moved now; empty: they can, or nothing is known
     bool has_points = false;
     bool taking = false;      ///< a point is being averaged
     bool acceptable = false;  ///< the fit's verdict

@@ -181,8 +181,10 @@ void CalibratePage::addCommands(PlaceCommands& commands) {
   add("calibrate.take", QT_TRANSLATE_NOOP("Commands", "Take point"), "Ctrl+Return", [this] { startPoint(); });
   add("calibrate.back", QT_TRANSLATE_NOOP("Commands", "Take the last point back"), "Ctrl+Backspace",
       [this] { run_->takeBack(); });
-  add("calibrate.discard", QT_TRANSLATE_NOOP("Commands", "Discard the points"), "Ctrl+Shift+Backspace",
-      [this] { run_->discard(); });
+  add("calibrate.discard", QT_TRANSLATE_NOOP("Commands", "Discard the points"), "Ctrl+Shift+Backspace", [this] {
+    run_->discard();
+    offerNext();
+  });
   add("calibrate.report", QT_TRANSLATE_NOOP("Commands", "Calibration report as PDF"), "Ctrl+Shift+P",
       [this] { run_->writeReport(); });
   add("calibrate.accept", QT_TRANSLATE_NOOP("Commands", "Accept the calibration"), "Ctrl+Shift+Return",
@@ -380,7 +382,7 @@ void CalibratePage::refreshButtons() {
   if (!buttons_->isAncestorOf(pressed)) pressed = nullptr;
   buttons_->allow({.moves = run_->step().motion() != CalibrationStep::Motion::none,
                    .may_move = run_->mayMove(),
-                   .renders = run_->renders(),
+                   .why_still = run_->whyStill(),
                    .has_points = !points().empty(),
                    .taking = run_->taking(),
                    .acceptable = run_->fit().result.verdict.accepted});

@@ -33,7 +33,13 @@ CalibrationRun::CalibrationRun(const PageContext& context, widgets::HoldButton* 
       steps_(makeCalibrationSteps(profile_)) {
   connect(move_button, &widgets::HoldButton::letGo, motion_, &HeldMotion::end);
   connect(motion_, &HeldMotion::ended, this, [this] {
-    emit said(tr("The motors are off. %1 points so far.").arg(points().size()), false);
+    if (const auto unfinished = std::exchange(sweep_of_, std::nullopt)) {
+      points_.clear(*unfinished);
+      emit said(tr("The motors are off. The sweep was not finished: its points are left out."), false);
+      refit();
+    } else {
+      emit said(tr("The motors are off. %1 points so far.").arg(points().size()), false);
+    }
     emit motionEnded();
     emit allowedChanged();
   });
@@ -58,7 +64,11 @@ bool CalibrationRun::mayMove() const {
          (state_ == SafetyState::connected || state_ == SafetyState::ready || state_ == SafetyState::stopped);
 }
 
-bool CalibrationRun::renders() const { return !silent_ && !mayMove(); }
+QString CalibrationRun::whyStill() const {
+  if (silent_ || mayMove()) return {};
+  return state_ == SafetyState::disconnected ? tr("Only with motors that answer.")
+                                             : tr("Only while nothing renders: press Esc first.");
+}
 
 void CalibrationRun::takeProfile() {
   profile_ = context_.session.currentProfile();
@@ -283,7 +293,10 @@ void CalibrationRun::startMotion(const Entered& entered) {
     emit said(tr("Not moved: %1.").arg(widgets::coreText(started.error().message)), true);
     return;
   }
-  if (test == device::DeviceTest::sweep) points_.clear(step_);  // a sweep is only used complete
+  if (test == device::DeviceTest::sweep) {  // it is only used complete
+    points_.clear(step_);
+    sweep_of_ = step_;
+  }
   entered_ = *entered;
   recent_.restart(step().readings());
   emit said(tr("The motors move; let go and they are off."), false);
@@ -294,7 +307,10 @@ void CalibrationRun::takeByItself(const Picks& picks) {
   if (!motion_->active()) return;
   if (!motion_->status().running) {
     const station::DeviceTestStatus ended = motion_->status();
-    if (ended.finished) takeExperiment();
+    if (ended.finished) {
+      takeExperiment();
+      sweep_of_.reset();
+    }
     motion_->end();
     emit said(tr("The motors are off: %1. %2 points so far.").arg(widgets::coreText(ended.words)).arg(points().size()),
               !ended.finished);
@@ -361,12 +377,13 @@ void CalibrationRun::accept(const AcceptedWords& words) {
     emit said(tr("The station is silent: wait until it answers."), true);
     return;
   }
-  if (newest_.state == SafetyState::active || newest_.state == SafetyState::held) {
+  const bool anew = !fit_.result.changes.empty();
+  if (anew && (newest_.state == SafetyState::active || newest_.state == SafetyState::held || motion_->active())) {
     emit said(tr("Accepting begins the session anew, and that is not done while motors can move: press Esc first."),
               true);
     return;
   }
-  if (context_.session.recorderStatus().state == recording::RecorderState::recording) {
+  if (anew && context_.session.recorderStatus().state == recording::RecorderState::recording) {
     emit said(tr("Accepting begins the session anew and would end the recording: stop the recording first."), true);
     return;
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 #include "app/console/calibrate/calibrate_average.h"
@@ -41,8 +42,8 @@ class CalibrationRun : public QObject {
   [[nodiscard]] const CalibrationAverage& recent() const { return recent_; }  ///< readings behind the live figures
   [[nodiscard]] bool taking() const { return taking_now_; }                   ///< a point is being averaged
   [[nodiscard]] double progress() const;                                      ///< of it, or of an experiment; 0 to 1
-  [[nodiscard]] bool mayMove() const;  ///< nothing renders, and the station answers
-  [[nodiscard]] bool renders() const;
+  [[nodiscard]] bool mayMove() const;      ///< nothing renders, and the station answers
+  [[nodiscard]] QString whyStill() const;  ///< why nothing may be moved; empty: it may, or the station is silent
 
   /// Takes the values in force, as after a change of the profile.
   void takeProfile();
@@ -101,6 +102,7 @@ class CalibrationRun : public QObject {
   station::Profile profile_;
   CalibrationSteps steps_;
   int step_ = 0;
+  std::optional<int> sweep_of_;  ///< the part whose sweep is under way
   CalibrationPoints points_;
   CalibrationFit fit_;
   CalibrationAverage recent_;

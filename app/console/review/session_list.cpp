@@ -181,8 +181,8 @@ void SessionList::fill(const std::vector<catalogue::CatalogueEntry>& entries) {
 }
 
 void SessionList::choose(int row) {
-  problem_.clear();
   if (row < 0 || static_cast<std::size_t>(row) >= entries_.size()) return;
+  problem_.clear();
   const catalogue::CatalogueEntry& entry = entries_[static_cast<std::size_t>(row)];
   chosen_ = entry;
   path_->setText(QString::fromStdString(entry.path));

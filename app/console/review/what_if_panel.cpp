@@ -189,7 +189,7 @@ void WhatIfPanel::finish(const Result<replay::ReplayResult>& result,
   if (!result->what_if) {
     lines << sameness(*result);
   } else {
-    lines << (result->closed_loop ? tr("Closed loop: cloth and robot answer as identified from this recording.")
+    lines << (result->closed_loop ? tr("Closed loop: motors and cloth answer as identified from this recording.")
                                   : tr("Open loop: the recorded inputs as they were; the cloth does not answer."));
     lines << tr("Stiffness error, RMS: %1 % recorded, %2 % so.")
                  .arg(numberText(result->stiffness_error_recorded_percent, 1),

@@ -126,7 +126,7 @@ void TuningBridge::startWithTarget(bool by_hand) {
 void TuningBridge::targetByHand() {
   by_hand_ = true;
   const widgets::TunedParameter* target = std::as_const(model_).find(kHandTarget);
-  const double value = target != nullptr ? target->value : 0.0;
+  const double value = target != nullptr ? model_.felt(*target) : 0.0;
   ask({.action = pipeline::OperatorAction::target_by_hand, .value = value});
 }
 

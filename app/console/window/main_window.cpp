@@ -199,7 +199,7 @@ void MainWindow::connectDevices() {
   });
   connect(connection_, &ConnectionChange::arrived, this,
           [this](const ConnectionWords& words) { memory_.setDevices(words); });
-  connect(devicesPage(), &DevicesPage::robotAsked, this, [this] { link_->show(); });
+  connect(devicesPage(), &DevicesPage::robotAsked, this, &MainWindow::showLink);
   connect(first_steps_, &FirstSteps::ownAsked, this, [this] { chooseDevices(true); });
   frame_->addStrip(first_steps_->strip());
   frame_->addStrip(missing_->strip());
@@ -216,13 +216,18 @@ void MainWindow::chooseDevices(bool own) {
   if (own) devicesPage()->form()->askForOwn();
 }
 
+void MainWindow::showLink() {
+  link_->show();
+  link_->raise();  // it may be a tab behind another
+}
+
 void MainWindow::connectStateBar() {
   const widgets::StateBar* bar = stateBar();
   connect(keys_, &KeyGuard::stopPressed, this, &MainWindow::stop);
   connect(bar, &widgets::StateBar::stopAsked, this, &MainWindow::stop);
   connect(bar, &widgets::StateBar::armAsked, this, [this] { ask(pipeline::OperatorAction::arm); });
   connect(bar, &widgets::StateBar::tareAsked, this, [this] { ask(pipeline::OperatorAction::tare); });
-  connect(bar->parts(), &widgets::PartList::opened, commands_->action(QStringLiteral("view.link")), &QAction::trigger);
+  connect(bar->parts(), &widgets::PartList::opened, this, &MainWindow::showLink);
 }
 
 void MainWindow::connectCommands() {
@@ -245,7 +250,9 @@ void MainWindow::connectCommands() {
   on("view.notices_read", [this](bool) { notices()->dismissAll(); });
   on("view.palette", [this](bool) { palette_->open(); });
   connect(operate()->readiness(), &widgets::ReadinessList::commandAsked, this, [this](const QString& id) {
-    if (QAction* action = commands_->action(id)) action->trigger();
+    QAction* action = commands_->action(id);
+    if (id == QLatin1String("view.link")) return showLink();  // the command of the menu would close it
+    if (action != nullptr) action->trigger();
   });
 }
 

@@ -108,6 +108,7 @@ class MainWindow : public QMainWindow {
   void connectDevices();
   void showWhetherClosed();
   void chooseDevices(bool own);
+  void showLink();
   void connectStateBar();
   void connectCommands();
   void connectLook();
