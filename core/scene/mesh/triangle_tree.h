@@ -21,7 +21,8 @@ class FYD_API TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh);
 
-  /// Of the whole mesh. NaN, or a place kFarthest_mm from the mesh's middle, gives no triangle. @param hint a triangle that may be near
+  /// Of the whole mesh. NaN, or a place kFarthest_mm from the mesh's middle, gives no triangle.
+  /// @param hint a triangle that may be near
   [[nodiscard]] Nearest nearest(const Vec3& probe_mm, std::uint32_t hint = kNoTriangle) const;
 
   /// Calls each(triangle) for every triangle within `distance_mm` of a segment, and for some that are farther away.
