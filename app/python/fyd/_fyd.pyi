@@ -1172,7 +1172,7 @@ class ReplayResult:
         """Where that is [—]"""
     @property
     def of(self) -> int:
-        """Steps recorded [1]"""
+        """Steps there were, those included that the recording lost [1]"""
     @property
     def out_of_range(self) -> list[str]:
         """Parameters with a value beyond today's range [—]"""
