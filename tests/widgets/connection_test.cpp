@@ -591,7 +591,7 @@ class ConnectionTest : public QObject {
       QCOMPARE(read(profile + QStringLiteral(".damaged")), damaged);
       WAIT_FOR(s.window->session().isOpen());
       s.window->commands().action(QStringLiteral("session.save_profile"))->trigger();
-      QVERIFY(read(profile).contains("[control]"));
+      QVERIFY2(read(profile).contains("[control]"), qPrintable(s.window->notices()->shownText()));
     }
     QVERIFY(Started(folder).start.damaged_profile.empty());
     // What was set aside before is not lost.

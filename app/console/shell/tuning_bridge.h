@@ -43,6 +43,8 @@ class TuningBridge : public QObject {
   /// The current values; when the saved ones are felt, it goes back to the current ones first. While a question about
   /// that waits, nothing is saved.
   void save();
+  /// This window itself has moved the profile's file away: the next save finds none, and need not ask.
+  void profileSetAside() { claim_.written(); }
   /// Which parameters differ from the profile, as a phrase; empty: none.
   [[nodiscard]] QString unsaved() const;
   /// To be called when the session began anew: pending answers of the former one are dropped, and its values are shown.

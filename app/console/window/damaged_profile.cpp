@@ -50,6 +50,7 @@ void DamagedProfile::setAside() {
                                        .arg(QDir::toNativeSeparators(kept), file.errorString()));
     return;
   }
+  context_.tuning.profileSetAside();
   strip_->hide();
   context_.tell(Severity::information, tr("The damaged profile is kept as %1. The standard values are in force.")
                                            .arg(QDir::toNativeSeparators(kept)));
