@@ -24,7 +24,7 @@ struct ReviewNotes {
 };
 
 /// None when there is no such file.
-/// @param id of the recording, as in its header
+/// @param id of the recording, as in its header; empty: its header is damaged, and nothing is compared
 /// @return an error that names file and entry when it is damaged, or when its notes are of a recording with another id;
 /// a file that says no id is taken
 [[nodiscard]] Result<ReviewNotes> readReviewNotes(const std::string& recording_path, const std::string& id);
