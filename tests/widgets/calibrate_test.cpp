@@ -170,6 +170,14 @@ class CalibrateTest : public QObject {
     QCOMPARE(c.page->points().size(), std::size_t{1});
   }
 
+  void aSmallRangeIsSaidToAHundredth() {
+    Calibrating c("ir-1");
+    QTest::keyClick(c.page->entries()->unit(0), Qt::Key_Down);
+    c.take(QStringLiteral("0.05"));
+    const QString words = c.page->entries()->problem();
+    QVERIFY2(words.contains(QLatin1String("expected 0.1 to 100 cm")), qPrintable(words));
+  }
+
   void aSignalThatMovesOrIsSilentGivesNoPoint() {
     Calibrating c("load-cell");
     c.type(0, QStringLiteral("1"));

@@ -62,9 +62,10 @@ QString CalibrationEntryForm::problemOf(std::size_t i, double value) const {
   if (!std::isfinite(value)) return tr("%1: \"%2\" is no number.").arg(entry.name, written.left(24));
   if (value >= entry.lowest && value <= entry.highest) return {};
   const auto unit = static_cast<std::size_t>(std::max(0, units_[i]->currentIndex()));
-  // To a hundredth, inwards; a division's rounding is no hundredth.
-  const double lowest = std::ceil(100.0 * entry.lowest / entry.per_unit[unit] - 1e-6) / 100.0;
-  const double highest = std::floor(100.0 * entry.highest / entry.per_unit[unit] + 1e-6) / 100.0;
+  // Inwards, to a hundredth, of large ranges to one; what a division rounds is no hundredth.
+  const double per_unit = entry.per_unit[unit], parts = entry.highest / per_unit < 1000.0 ? 100.0 : 1.0;
+  const double lowest = std::ceil(parts * entry.lowest / per_unit - 1e-6) / parts;
+  const double highest = std::floor(parts * entry.highest / per_unit + 1e-6) / parts;
   return tr("%1: %2 is out of range; expected %3 to %4 %5.")
       .arg(entry.name, written.left(24), widgets::plainNumber(lowest), widgets::plainNumber(highest),
            units_[i]->currentText());
