@@ -204,13 +204,8 @@ Result<StoredFile> moveFile(const std::string& file, const std::string& folder,
   const fs::path target = to / source.filename();
   if (target == source) return fail("{}: already in {}", file, to.native());
 
-  const auto there = alreadyThere(source, target);
-  if (!there) return tl::unexpected(there.error());
-  if (!*there) {
-    if (auto copied = copyVerified(source, target); !copied) {
-      return fail("{}; the recording stays at {}", copied.error().message, source.native());
-    }
-  }
+  const auto there = copyOnce(source, target);
+  if (!there) return fail("{}; the recording stays at {}", there.error().message, source.native());
   StoredFile out{.path = target, .bytes = fs::file_size(target, error), .was_there = *there};
   if (auto ok = stored(target); !ok) {
     return fail("{}; the recording is whole in both places, {} and {}: store it again to finish", ok.error().message,

@@ -52,7 +52,7 @@ Result<CatalogueEntry> readCatalogueEntry(const std::string& path) {
   if (review) {
     for (const recording::ReviewNote& note : review->notes) entry.notes = withNote(entry.notes, note);
   }
-  entry.tags = recording::tagsInForce(info);
+  entry.tags = recording::tagsInForce(header, review);
   entry = withFittingTexts(std::move(entry));
   if (auto ok = checkEntry(entry); !ok) return fail(about(path, ok.error().message));
   return entry;

@@ -58,9 +58,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const Vec3 probe = {low.x + at * (high.x - low.x), high.y + (0.3 - at) * (high.y - low.y),
                           low.z + 0.5 * (high.z - low.z)};
       const Nearest found = nearest.find(probe);
-      const double whole = std::sqrt(tree.nearest(probe).squared_mm2);  // infinite: farther away than is searched
-      fuzz::require(std::isinf(whole) || std::abs(std::sqrt(found.squared_mm2) - whole) <=
-                                             1e-9 * (whole + length(high - low)) + rounding_mm);
+      const double whole = std::sqrt(tree.nearest(probe).squared_mm2);
+      if (std::isinf(whole)) {  // only where nothing is searched
+        fuzz::require(length(probe - 0.5 * (low + high)) >= kFarthest_mm);
+      } else {
+        fuzz::require(std::abs(std::sqrt(found.squared_mm2) - whole) <=
+                      1e-9 * (whole + length(high - low)) + rounding_mm);
+      }
       const Contact touch = contact.touch(probe, {}, found);
       fuzz::require(touch.force_N.finite() && touch.proxy_mm.finite() && std::isfinite(touch.depth_mm));
     }

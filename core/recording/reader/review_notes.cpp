@@ -61,10 +61,12 @@ Result<ReviewNotes> readReviewNotes(const std::string& recording_path, const std
   return review;
 }
 
+std::vector<std::string> tagsInForce(const RecordingHeader& header, const Result<ReviewNotes>& review) {
+  return review && review->tags ? *review->tags : header.tags;
+}
+
 std::vector<std::string> tagsInForce(const RecordingInfo& info) {
-  if (info.path.empty()) return info.header.tags;
-  const auto review = readReviewNotes(info.path, info.header.id);
-  return review && review->tags ? *review->tags : info.header.tags;
+  return info.path.empty() ? info.header.tags : tagsInForce(info.header, readReviewNotes(info.path, info.header.id));
 }
 
 Result<void> writeReviewNotes(const std::string& recording_path, const std::string& id, ReviewNotes review) {

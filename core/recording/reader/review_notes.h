@@ -29,7 +29,8 @@ struct ReviewNotes {
 /// a file that says no id is taken
 [[nodiscard]] Result<ReviewNotes> readReviewNotes(const std::string& recording_path, const std::string& id);
 
-/// The tags that hold: the review's where it changed them and can be read, otherwise the recording's own.
+/// The tags that hold: the review's where it changed them and could be read, otherwise the recording's own.
+[[nodiscard]] std::vector<std::string> tagsInForce(const RecordingHeader& header, const Result<ReviewNotes>& review);
 [[nodiscard]] std::vector<std::string> tagsInForce(const RecordingInfo& info);
 
 /// Replaces the file atomically: a reader sees the old notes or the new ones.
