@@ -123,6 +123,14 @@ class Pages(unittest.TestCase):
                        for option in re.findall(r"(?<![\w-])--[a-z][\w-]*", text) if option not in known]
         self.assert_no_faults(faults)
 
+    @unittest.skipIf(os.environ.get("FYD_NOT_BUILT"), "the window is left out of this build")
+    def test_every_option_of_the_window_is_on_its_page(self):
+        page = (MANUAL / "operate.md").read_text(encoding="utf-8")
+        options = set(re.findall(r"(?<![\w-])--[a-z][\w-]*", block_checks.help_of(os.environ["FYD_PROGRAMS"], "fyd-console"))) - {"--help", "--version"}
+        self.assertGreater(len(options), 20)
+        missing = [option for option in sorted(options) if not re.search(re.escape(option) + r"(?![\w-])", page)]
+        self.assertEqual(missing, [])
+
     def test_every_command_among_the_words_exists_with_its_options(self):
         """`fyd session list --tag WORD`: the subcommand has the option, not only some other one."""
         class Place:
