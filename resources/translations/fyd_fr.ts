@@ -1646,6 +1646,12 @@ Ctrl and wheel to stretch this curve, double-click or F to follow again.</source
 Ctrl et molette pour étirer cette courbe, double-clic ou F pour suivre à nouveau.</translation>
     </message>
     <message>
+        <source>Drag to look elsewhere, wheel to zoom, drag with the right button to zoom into a box,
+Ctrl and wheel to stretch this curve, double-click for the whole session.</source>
+        <translation>Glisser pour regarder ailleurs, molette pour zoomer, glisser avec le bouton droit pour zoomer dans un cadre,
+Ctrl et molette pour étirer cette courbe, double-clic pour toute la session.</translation>
+    </message>
+    <message>
         <source>Drag: touch · Shift or wheel: depth · right button: move</source>
         <translation>Glisser : toucher · Maj ou molette : profondeur · bouton droit : déplacer</translation>
     </message>

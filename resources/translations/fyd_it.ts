@@ -1646,6 +1646,12 @@ Ctrl and wheel to stretch this curve, double-click or F to follow again.</source
 Ctrl e rotella per allungare questa curva, doppio clic o F per seguire di nuovo.</translation>
     </message>
     <message>
+        <source>Drag to look elsewhere, wheel to zoom, drag with the right button to zoom into a box,
+Ctrl and wheel to stretch this curve, double-click for the whole session.</source>
+        <translation>Trascinare per guardare altrove, rotella per ingrandire, trascinare col tasto destro per ingrandire un riquadro,
+Ctrl e rotella per allungare questa curva, doppio clic per tutta la sessione.</translation>
+    </message>
+    <message>
         <source>Drag: touch · Shift or wheel: depth · right button: move</source>
         <translation>Trascina: tocca · Maiusc o rotella: profondità · tasto destro: sposta</translation>
     </message>

@@ -200,6 +200,8 @@ class LinkTest : public QObject {
     QVERIFY(f.window->link()->isVisible());
     QVERIFY(f.window->commands().action(QStringLiteral("view.link"))->isChecked());
     QCOMPARE(valueOf(*f.window->link()->panel(), "Robot"), QStringLiteral("127.0.0.2:3490"));
+    QTest::mouseClick(parts, Qt::LeftButton, {}, linkPlace(*f.window).center());
+    QVERIFY(f.window->link()->isVisible());  // who asks to see it again does not close it
     QTest::keyClick(f.window.get(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(!f.window->link()->isVisible());
     f.window->commands().action(QStringLiteral("view.link"))->trigger();

@@ -2,6 +2,7 @@
 // station confirms and what it does not; the readiness list's buttons.
 #include <qcustomplot.h>
 
+#include "app/console/calibrate/calibrate_part_list.h"
 #include "app/console/tune/tune_page.h"
 #include "core/control/static_law.h"
 #include "tests/widgets/hands.h"
@@ -695,21 +696,30 @@ class TuneTest : public QObject {
                          .why = say("no stiffness target"),
                          .remedy = say("Choose the robot's stiffness or set one by hand."),
                          .fault = pipeline::Fault::no_target},
-                        {.what = say("Camera sees"), .ok = true}};
+                        {.what = say("Camera sees"), .ok = true},
+                        {.what = say("Load cell in span"),
+                         .ok = false,
+                         .why = say("the load cell's value is outside its span"),
+                         .fault = pipeline::Fault::bridge_invalid}};
     f.window->feed().pump();
     const widgets::ReadinessList* list = f.window->operate()->readiness();
-    QVERIFY2(list->title().contains(QStringLiteral("1/3")), qPrintable(list->title()));
+    QVERIFY2(list->title().contains(QStringLiteral("1/4")), qPrintable(list->title()));
     QStringList words;
     for (const QLabel* label : list->findChildren<QLabel*>()) words << label->text();
     QVERIFY(words.contains(QStringLiteral("The motors are silent")));
     QVERIFY(words.contains(QStringLiteral("Check the touchpad's power and its serial cable.")));
-    QCOMPARE(list->findChildren<QToolButton*>().size(), 2);
+    QCOMPARE(list->findChildren<QToolButton*>().size(), 3);
     const auto* by_hand = list->findChild<QToolButton*>(QStringLiteral("mend_session.target_by_hand"));
     WAIT_FOR(by_hand->isVisible());  // laid out with the next event
     click(list->findChild<QToolButton*>(QStringLiteral("mend_session.target_by_hand")));
     QCOMPARE(f.session->count(pipeline::OperatorAction::target_by_hand), 1);
     click(list->findChild<QToolButton*>(QStringLiteral("mend_place.devices")));
     QCOMPARE(f.window->frame()->place(), QStringLiteral("devices"));
+    f.window->frame()->go(QStringLiteral("operate"));
+    click(list->findChild<QToolButton*>(QStringLiteral("mend_calibrate:load-cell")));
+    QCOMPARE(f.window->frame()->place(), QStringLiteral("calibrate"));
+    const auto* parts = f.window->findChild<console::CalibrationPartList*>();
+    QVERIFY(parts->currentItem()->text().contains(QStringLiteral("Load cell")));
   }
 };
 

@@ -1,8 +1,11 @@
 #include "app/console/review/review_curves.h"
 
+#include <qcustomplot.h>
+
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+
 #include "widgets/basics/core_text.h"
 
 namespace fyd::console {
@@ -75,6 +78,10 @@ void ReviewCurves::addStrips() {
     }
     for (std::size_t& channel : setup.channels) channel = ReviewSource::channel(ReviewLayer::session, channel);
     stack_->add(std::move(setup));
+    stack_->strip(stack_->size() - 1)
+        ->plot()
+        ->setToolTip(tr("Drag to look elsewhere, wheel to zoom, drag with the right button to zoom into a box,\n"
+                        "Ctrl and wheel to stretch this curve, double-click for the whole session."));
   }
 }
 

@@ -99,17 +99,27 @@ widgets::LinkView::Health healthOf(pipeline::LinkPhase phase) {
   return speaking ? Health::well : Health::waiting;
 }
 
-/// The command that helps with a missing condition.
+/// The command that helps with a missing condition; "calibrate:PART" goes to that part's calibration.
 struct Mending {
   const char* command = "";
   const char* words = "";
 };
 
+/// Where the signal is seen that a fault is about.
+const char* signalOf(pipeline::Fault fault) {
+  switch (pipeline::infoOf(fault).part) {
+    case pipeline::Part::distances: return "calibrate:ir-1";
+    case pipeline::Part::load_cell: return "calibrate:load-cell";
+    case pipeline::Part::camera: return "calibrate:camera-region";
+    default: return "place.calibrate";
+  }
+}
+
 Mending mendingOf(pipeline::Fault fault) {
   using enum pipeline::Help;
   switch (pipeline::infoOf(fault).help) {
     case devices: return {"place.devices", QT_TRANSLATE_NOOP("Views", "Look at the devices")};
-    case signal: return {"place.calibrate", QT_TRANSLATE_NOOP("Views", "Look at its signal")};
+    case signal: return {signalOf(fault), QT_TRANSLATE_NOOP("Views", "Look at its signal")};
     case link: return {"view.link", QT_TRANSLATE_NOOP("Views", "Show the link")};
     case target: return {"session.target_by_hand", QT_TRANSLATE_NOOP("Views", "Set the target by hand")};
     case none: break;

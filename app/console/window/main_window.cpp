@@ -11,6 +11,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "app/console/calibrate/calibrate_page.h"
 #include "app/console/devices/devices_page.h"
 #include "app/console/review/review_page.h"
 #include "app/console/shell/language.h"
@@ -249,11 +250,19 @@ void MainWindow::connectCommands() {
   on("help.context", [this](bool) { help_->showTopic(manualTopic(QApplication::focusWidget(), frame_->place())); });
   on("view.notices_read", [this](bool) { notices()->dismissAll(); });
   on("view.palette", [this](bool) { palette_->open(); });
-  connect(operate()->readiness(), &widgets::ReadinessList::commandAsked, this, [this](const QString& id) {
-    QAction* action = commands_->action(id);
-    if (id == QLatin1String("view.link")) return showLink();  // the command of the menu would close it
-    if (action != nullptr) action->trigger();
-  });
+  connect(operate()->readiness(), &widgets::ReadinessList::commandAsked, this, &MainWindow::mend);
+}
+
+void MainWindow::mend(const QString& command) {
+  constexpr QLatin1String kPart("calibrate:");
+  if (command.startsWith(kPart)) {
+    frame_->go(QStringLiteral("calibrate"));
+    qobject_cast<CalibratePage*>(frame_->page(QStringLiteral("calibrate")))->choose(command.mid(kPart.size()));
+  } else if (command == QLatin1String("view.link")) {
+    showLink();  // the menu's command would close it where it is open
+  } else if (QAction* action = commands_->action(command)) {
+    action->trigger();
+  }
 }
 
 void MainWindow::connectLook() {

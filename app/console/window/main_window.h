@@ -109,6 +109,8 @@ class MainWindow : public QMainWindow {
   void showWhetherClosed();
   void chooseDevices(bool own);
   void showLink();
+  /// What a line of "Ready?" offers: a command, or "calibrate:PART", the part of a calibration that shows a signal.
+  void mend(const QString& command);
   void connectStateBar();
   void connectCommands();
   void connectLook();
