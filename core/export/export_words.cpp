@@ -6,6 +6,7 @@
 
 #include "core/pipeline/parameters.h"
 #include "core/recording/reader/review_notes.h"
+#include "core/sensing/tare.h"
 
 namespace fyd::exports {
 namespace {

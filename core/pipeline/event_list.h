@@ -29,7 +29,7 @@ EVENT(tare_done, 2, "tare done",  // value: largest change of an offset, mm
 EVENT(tare_failed, 3, "tare failed",  // value: the sensing::TareState that says why
       warning, true, plain,
       say("Tare failed: {}. Keep the cloth untouched and try again.", whyNoTare(e)),
-      std::string("cloth touched or a sensor unavailable"))
+      std::string(toString(static_cast<sensing::TareState>(e.value))))
 EVENT(parameter_changed, 4, "parameter changed",  // index, value
       information, false, marked, changeSentence(e, parameters), describeChange(e))
 EVENT(parameter_refused, 5, "parameter refused",  // index, value: not live, not finite or out of range

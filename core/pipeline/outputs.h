@@ -42,7 +42,9 @@ struct Event {
   }
 };
 
-inline constexpr std::size_t kMaximumEventsPerStep = 32;
+/// Two of each of the robot's keys, one of each of the operator's commands and changes, and those of the step itself:
+/// what says why a session stopped is never the one that finds no room.
+inline constexpr std::size_t kMaximumEventsPerStep = 4 * kMaximumCommandsPerStep + 16;
 
 /// Calibration that a tare changed; the profile should keep it.
 struct TareValues {

@@ -73,19 +73,19 @@ void Pipeline::takeTime(const Inputs& inputs) {
 }
 
 template <class Value>
-void Pipeline::setParameter(std::string_view id, Value&& value) {
+bool Pipeline::setParameter(std::string_view id, Value&& value) {
   const Parameter* parameter = findParameter(bound_, id);
-  changeParameter(static_cast<std::uint16_t>(parameter - bound_.data()), value(*parameter));
+  return changeParameter(static_cast<std::uint16_t>(parameter - bound_.data()), value(*parameter));
 }
 
 void Pipeline::applyChanges(const Inputs& inputs) {
-  for (const ParameterChange& change : inputs.changes) changeParameter(change.index, change.value);
+  for (const ParameterChange& change : inputs.changes) (void)changeParameter(change.index, change.value);
   for (const OperatorCommand& command : inputs.commands) {
     switch (command.action) {
       case OperatorAction::tare: tare_.start(inputs.now); break;
       case OperatorAction::target_by_hand:
-        target_by_hand_ = true;
-        setParameter(kHandTarget, [&command](const Parameter&) { return command.value; });
+        // A refused value leaves the target with whoever has it: an older one by hand would be felt instead.
+        if (setParameter(kHandTarget, [&command](const Parameter&) { return command.value; })) target_by_hand_ = true;
         break;
       case OperatorAction::target_from_robot: target_by_hand_ = false; break;
       case OperatorAction::arm:
@@ -95,14 +95,15 @@ void Pipeline::applyChanges(const Inputs& inputs) {
   }
 }
 
-void Pipeline::changeParameter(std::uint16_t index, double value) {
+bool Pipeline::changeParameter(std::uint16_t index, double value) {
   const bool allowed = index < bound_.size() && bound_[index].info.live && bound_[index].isNumber() &&
                        mayTake(bound_[index], value, ranges_);
   report(
       {.kind = allowed ? EventKind::parameter_changed : EventKind::parameter_refused, .index = index, .value = value});
-  if (!allowed) return;
+  if (!allowed) return false;
   bound_[index].set(value);
   configure();
+  return true;
 }
 
 void Pipeline::configure() {

@@ -98,14 +98,16 @@ class FYD_API Pipeline {
   void stepTexture(const Inputs& inputs);
   void writeTelemetry(const Inputs& inputs);
 
-  void changeParameter(std::uint16_t index, double value);
+  /// @return whether it was taken; reported either way
+  bool changeParameter(std::uint16_t index, double value);
   template <class Value>
-  void setParameter(std::string_view id, Value&& value);
+  bool setParameter(std::string_view id, Value&& value);
   void followRobotReference(const RobotMotorReference& reference);
   /// `to_deg`, or as near to it as the commanded rate allows in this step.
   [[nodiscard]] double approach(double from_deg, double to_deg) const;
   void configure();
   [[nodiscard]] double target() const;
+  [[nodiscard]] double placeFactor() const;
   /// The robot's state: simulated by the scene if there is one, otherwise received from the robot.
   [[nodiscard]] const Timed<RobotState>& told(const Inputs& inputs) const;
   [[nodiscard]] bool rendering(const Inputs& inputs) const;

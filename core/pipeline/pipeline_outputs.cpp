@@ -71,6 +71,12 @@ void Pipeline::stepCoupling(const Inputs& inputs) {
        .least_indentation_mm = parameters_.sensing.stiffness.minimum_indentation_mm});
 }
 
+/// Only contact mode tells places apart; what it last said must not go on dividing the targets of another mode.
+double Pipeline::placeFactor() const {
+  const bool places = parameters_.sensing.indentation.mode == sensing::IndentationMode::contact;
+  return places ? indentation_.placeFactor() : 1.0;
+}
+
 void Pipeline::stepControl(const Inputs& inputs) {
   const bool enabled = rendering(inputs);
   const bool robot_sets = enabled && robot_sets_reference_ && inputs.robot.motor_reference.count > 0;
@@ -78,7 +84,7 @@ void Pipeline::stepControl(const Inputs& inputs) {
                                .target_N_per_mm = target(),
                                .measured_N_per_mm = stiff_.stiffness_N_per_mm,
                                .measured_sigma_N_per_mm = stiff_.sigma_N_per_mm,
-                               .place_factor = indentation_.placeFactor(),
+                               .place_factor = placeFactor(),
                                .observable = stiff_.observable,
                                .measured_angle_deg = rollers_.stretch_deg,
                                .measured_angle_known = rollers_.valid,

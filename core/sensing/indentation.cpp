@@ -82,6 +82,10 @@ void IndentationEstimator::reset() {
   others_travel_ = {};
   readings_ = {};
   estimate_ = {};
+  // What only contact mode learns: after it, the other modes would go on with the last finger's.
+  relative_compliance_ = 1.0;
+  relative_sigma_ = kShapeError;
+  log_compliance_sigma_ = 0.0;
 }
 
 IndentationEstimate IndentationEstimator::step(Instant now, const Timed<IrCounts>& ir,

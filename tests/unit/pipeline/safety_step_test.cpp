@@ -369,6 +369,66 @@ TEST(SafetyStep, WithNeitherRobotNorHandThereIsNoTarget) {
   EXPECT_TRUE(session.step().faults.test(static_cast<std::size_t>(Fault::no_target)));
 }
 
+TEST(SafetyStep, ARefusedTargetByHandLeavesTheTargetWithTheRobot) {
+  Session session;
+  session.arm();
+  ASSERT_DOUBLE_EQ(session.run(2).telemetry.target_N_per_mm, 0.6);  // the robot's
+  session.inputs.robot.state.value.stiffness_N_per_mm = 0.6;
+  const Outputs& out = session.give(OperatorAction::target_by_hand, 50.0);
+  EXPECT_TRUE(std::ranges::any_of(out.events.view(),
+                                  [](const Event& event) { return event.kind == EventKind::parameter_refused; }));
+  session.change = [](Inputs& in) { in.robot.state.value.stiffness_N_per_mm = 0.45; };
+  EXPECT_DOUBLE_EQ(session.step().telemetry.target_N_per_mm, 0.45);
+  session.change = [](Inputs& in) { in.robot.phase = LinkPhase::waiting; };
+  EXPECT_EQ(session.step().telemetry.fault, Fault::robot_waiting) << "the robot is still needed";
+}
+
+TEST(SafetyStep, WhyItWentToHeldIsReportedBesideAsManyKeysAndCommandsAsAStepTakes) {
+  Session session;
+  session.arm();
+  session.run(10);
+  for (std::size_t i = 0; i < kMaximumCommandsPerStep; ++i) {
+    (void)session.inputs.robot.commands.push(i % 2 == 0 ? RobotCommand::use_soc : RobotCommand::use_dft321);
+    (void)session.inputs.commands.push({.action = OperatorAction::target_by_hand, .value = 0.6});
+    (void)session.inputs.changes.push({.index = 0xFFFF, .value = 0.0});
+  }
+  const Outputs& out = session.step(milliseconds(30));
+  EXPECT_EQ(out.telemetry.state, held);
+  EXPECT_TRUE(session.reported(out, EventKind::state_changed, held, Fault::step_gap));
+}
+
+TEST(SafetyStep, TheFactorOfAPlaceEndsWithContactMode) {
+  // Two sessions with the same finger beside the middle: in one the mode was contact before.
+  const auto parameter = [](std::string_view id) {
+    Parameters parameters;
+    const auto bound = bindParameters(parameters);
+    return static_cast<std::uint16_t>(findParameter(bound, id) - bound.data());
+  };
+  const auto reachable = [&](bool was_contact) {
+    Session session;
+    session.change = [](Inputs& in) { in.finger.value.x_mm = 25.0; };
+    const auto mode = [&](sensing::IndentationMode value) {
+      session.inputs.changes.clear();
+      (void)session.inputs.changes.push(
+          {.index = parameter("sensing.indentation_mode"), .value = static_cast<double>(value)});
+      session.step();
+      session.inputs.changes.clear();
+    };
+    mode(was_contact ? sensing::IndentationMode::contact : sensing::IndentationMode::membrane);
+    session.run(300);
+    session.give(OperatorAction::arm);
+    session.run(500);
+    mode(sensing::IndentationMode::membrane);
+    session.run(3000);
+    return session.step().telemetry;
+  };
+  const TelemetrySample after = reachable(true), alone = reachable(false);
+  ASSERT_EQ(after.state, active);
+  ASSERT_EQ(alone.state, active);
+  EXPECT_NEAR(after.stretch_reference_deg, alone.stretch_reference_deg, 0.5);
+  EXPECT_NEAR(after.indentation_mm, alone.indentation_mm, 0.02);
+}
+
 TEST(SafetyStep, WhatNeverCameOrComesFromTheFutureIsMissing) {
   for (const bool future : {false, true}) {
     Session session;

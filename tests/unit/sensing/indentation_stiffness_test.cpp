@@ -95,6 +95,31 @@ TEST(Indentation, CountsOnlyWhatTheThesisPlaneMisses) {
   EXPECT_LT(b.indentation_mm, 3.0);
 }
 
+TEST(Indentation, AnotherModeKeepsNothingOfContactMode) {
+  const auto pressedAt = [](IndentationEstimator& estimator, double from_s) {
+    IndentationEstimate seen;
+    for (int i = 0; i < 2000; ++i) {
+      const double at_s = from_s + 0.001 * i;
+      const auto count = static_cast<std::uint64_t>(1000.0 * at_s) + 1;
+      auto finger = fingerAt(40.0, 25.0, at_s);
+      finger.count = count;
+      seen = estimator.step(instantAt(at_s), codesFor({47.0, 48.0, 46.0}, at_s, count), finger,
+                            {.value = 2.0, .taken = instantAt(at_s), .count = count});
+    }
+    return seen;
+  };
+  IndentationParameters contact;
+  contact.mode = IndentationMode::contact;
+  IndentationEstimator switched(contact);
+  (void)pressedAt(switched, 1.0);
+  switched.configure(membraneMode());
+  IndentationEstimator fresh(membraneMode());
+  const IndentationEstimate after = pressedAt(switched, 4.0), alone = pressedAt(fresh, 4.0);
+  ASSERT_TRUE(alone.available);
+  EXPECT_NEAR(after.indentation_mm, alone.indentation_mm, 1e-6);
+  EXPECT_NEAR(after.sigma_mm, alone.sigma_mm, 1e-6);
+}
+
 TEST(Indentation, ALiftedFingerIsZeroAndNoFault) {
   IndentationEstimator estimator(membraneMode());
   const IndentationEstimate e = estimator.step(instantAt(1), codesFor({97, 99, 98}, 1), fingerAt(0, 0, 1, false));
