@@ -22,7 +22,7 @@ struct TuneProposal {
   IdentifiedCloth cloth;
   ControlParameters
       proposed;           ///< the present parameters with kp, ki, kd and what was identified of the sensors replaced
-  LoopPrediction before;  ///< with the present parameters
+  LoopPrediction before;  ///< with the present parameters, in mode default
   LoopPrediction after;   ///< with the proposed ones
 };
 

@@ -124,12 +124,17 @@ double excitationAngle_deg(double time_s, const ControlParameters& p) {
   law.limitTravel(p.travel_minimum_deg, p.travel_maximum_deg);
   const double low = law.minimumAngle_deg();
   const double span = law.maximumAngle_deg() - low;
-  if (!(time_s >= 0) || !std::isfinite(time_s)) return low + kStairs[0] * span;
+  const double reach = p.rate_limit_deg_per_s / 3 * kStair_s;
+  // A stair that is not climbed when the next begins would be jumped: slow motors climb lower ones about the middle.
+  constexpr double kHighest = 0.5;
+  const double part = std::min(1.0, reach / (kHighest * span));
+  const auto stairAt = [&](std::size_t i) { return low + (0.5 + part * (kStairs[i] - 0.5)) * span; };
+  if (!(time_s >= 0) || !std::isfinite(time_s)) return stairAt(0);
   const double within = std::fmod(time_s, kExcitation_s);
   const auto stair = std::min(static_cast<std::size_t>(within / kStair_s), kStairs.size() - 1);
-  const double from = low + kStairs[(stair + kStairs.size() - 1) % kStairs.size()] * span;
-  const double to = low + kStairs[stair] * span;
-  if (time_s < kStair_s) return low + kStairs[0] * span;  // the very first stair has none before it
+  const double from = stairAt((stair + kStairs.size() - 1) % kStairs.size());
+  const double to = stairAt(stair);
+  if (time_s < kStair_s) return to;  // the very first stair has none before it
   const double travelled = p.rate_limit_deg_per_s / 3 * (within - static_cast<double>(stair) * kStair_s);
   return from + std::clamp(to - from, -travelled, travelled);
 }

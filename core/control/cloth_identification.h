@@ -20,7 +20,7 @@ namespace fyd::control {
 /// One instant of the excitation, rising in time.
 struct TuneSample {
   double time_s = 0.0;
-  double angle_deg = 0.0;           ///< measured stretch, or commanded when the encoders are silent
+  double angle_deg = 0.0;           ///< measured stretch
   double stiffness_N_per_mm = 0.0;  ///< measured, divided by the place factor; NaN while not observable
 };
 

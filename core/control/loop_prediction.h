@@ -15,7 +15,8 @@
 // There is always dead time, so a loop with any gain has a finite gain margin.
 // Step response and its figures: the controller itself, run on the identified model with that dead time and motors that
 // reach 180°/s, on a cloth 30 % softer than the law says, so that the loop and not the feed-forward does the work. The
-// model's measurement is right on average, so control.measurement_bias counts as 0.
+// model's measurement is right on average, so control.measurement_bias counts as 0, and as that cloth
+// does not contradict the law, control.correction_limit as none.
 // Stability: may change
 #pragma once
 

@@ -48,6 +48,19 @@ TEST(Excitation, StaysInTheMiddleOfTheTravelAndSlow) {
   EXPECT_TRUE(std::isfinite(excitationAngle_deg(kNaN, parameters)));
 }
 
+TEST(Excitation, SlowMotorsClimbLowerStairsAndNeverJump) {
+  for (const double rate : {1.0, 20.0, 52.0}) {
+    ControlParameters parameters;
+    parameters.rate_limit_deg_per_s = rate;
+    double last = excitationAngle_deg(0, parameters);
+    for (const double t : stepsBefore(0, 2 * kExcitation_s, 0.001)) {
+      const double angle = excitationAngle_deg(t, parameters);
+      ASSERT_LE(std::abs(angle - last), rate / 3 * 0.001 + 1e-6) << rate << " at " << t;
+      last = angle;
+    }
+  }
+}
+
 TEST(Excitation, NeverLeavesATravelThatTheLawDoesNotReach) {
   ControlParameters parameters;
   for (const auto& [from, to] : {std::pair{0.0, 15.0}, {100.0, 120.0}}) {
@@ -221,6 +234,17 @@ TEST(LoopPrediction, LateMotorsMakeASteadyLoopSwing) {
   const IdentifiedCloth cloth = assumedCloth(parameters);
   EXPECT_EQ(predictLoop(cloth, parameters, {.motors_age_s = 0.0}).verdict, LoopVerdict::settles);
   EXPECT_EQ(predictLoop(cloth, parameters, {.motors_age_s = 0.02}).verdict, LoopVerdict::unstable);
+}
+
+TEST(LoopPrediction, ASmallCorrectionLimitIsNoWeakLoop) {
+  // The predicted cloth is 30 % softer than its law on purpose.
+  ControlParameters parameters;
+  const IdentifiedCloth cloth = assumedCloth(parameters);
+  const LoopPrediction usual = predictLoop(cloth, parameters, {.motors_age_s = 0.0});
+  parameters.correction_limit = 0.2;
+  const LoopPrediction limited = predictLoop(cloth, parameters, {.motors_age_s = 0.0});
+  EXPECT_EQ(limited.verdict, usual.verdict);
+  EXPECT_DOUBLE_EQ(limited.settling_s, usual.settling_s);
 }
 
 TEST(LoopPrediction, TheMotorsSpeedLimitCountsBesideTheMargins) {
