@@ -61,7 +61,7 @@ struct CalibrationResult {
   std::string valid_unit;  ///< of valid_from and valid_to: the fit's input
   double valid_from = kUnknown;
   double valid_to = kUnknown;
-  std::vector<double> residuals;      ///< measured less fitted, one per point
+  std::vector<double> residuals;      ///< measured less fitted, a point's; RMS: a press's (cloth), a chirp's (texture)
   std::vector<std::size_t> outliers;  ///< points the others contradict; kept in the fit unless said otherwise
   std::vector<Message> notes;         ///< what the operator should know beside the verdict
   std::vector<ParameterChange> changes;

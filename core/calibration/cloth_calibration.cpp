@@ -22,10 +22,15 @@ constexpr double kLeastFreeRatioLogSigma = 0.3;
 constexpr double kElsewhere = 1.5;      // a share between the sensors is less certain than over one
 constexpr double kClearlyBetter = 1.3;  // times the other edges' error
 
+/// The lists may hold more than the estimator takes.
+std::size_t sensorsOf(const sensing::IndentationParameters& profile) {
+  return std::min({profile.ir_x_mm.size(), profile.ir_y_mm.size(), std::size_t{sensing::kMaximumIrSensors}});
+}
+
 /// Takes the presses whose sensor under the finger reads; refuses impossible ones. @return whether all are good
 bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing::IndentationParameters& profile,
                  const CalibrationParameters& p, std::vector<ClothPress>& out) {
-  const std::size_t sensors = std::min(profile.ir_x_mm.size(), profile.ir_y_mm.size());
+  const std::size_t sensors = sensorsOf(profile);
   sensing::IndentationEstimator estimator(profile);
   double farthest = 0.0;
   for (std::size_t row = 0; row < s.codes.size(); ++row) {
@@ -143,13 +148,20 @@ double doubtOverTheCloth(const sensing::IndentationParameters& calibrated, const
   return std::sqrt(squares / places);
 }
 
-/// Errors of what the sensors beside the finger read, of presses that the fit has not seen; NaN where no fit could be
-/// made.
-std::vector<double> heldOut(const ClothFitter& fitter, const std::vector<ClothPress>& presses, ClothEdges edges) {
+/// Of what the sensors beside the finger read, for each press.
+struct Errors {
+  std::vector<double> mm;
+  std::vector<double> relative;  ///< to the depth
+};
+
+/// Of presses that the fit has not seen; NaN where no fit could be made.
+Errors heldOut(const ClothFitter& fitter, const std::vector<ClothPress>& presses, ClothEdges edges) {
   std::vector<std::size_t> folds;
   folds.reserve(presses.size());
   for (const ClothPress& press : presses) folds.push_back(press.over);
-  return predictHeldOut(
+  Errors out;
+  out.relative.assign(presses.size(), kUnknown);
+  out.mm = predictHeldOut(
       folds,
       [&](const std::vector<std::size_t>& learn) {
         std::vector<ClothPress> part;
@@ -158,8 +170,11 @@ std::vector<double> heldOut(const ClothFitter& fitter, const std::vector<ClothPr
         return fitter.fit(part, edges);
       },
       [&](const ClothFit& fit, std::size_t i) {
-        return fitter.model(edges, fit.at).predict(presses[i], fitter.sensors()).error_mm;
+        const ClothModel::Prediction seen = fitter.model(edges, fit.at).predict(presses[i], fitter.sensors());
+        out.relative[i] = seen.error_mm / seen.depth_mm;
+        return seen.error_mm;
       });
+  return out;
 }
 
 }  // namespace
@@ -173,7 +188,7 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
             .unit = "mm",
             .points = s.codes.size(),
             .valid_unit = "mm"};
-  const std::size_t sensors = std::min(profile.ir_x_mm.size(), profile.ir_y_mm.size());
+  const std::size_t sensors = sensorsOf(profile);
   for (std::size_t sensor = 0; sensor < sensors; ++sensor) {
     SampleColumn& column = result.samples.emplace_back();
     column = {.name = fmt::format("adc{}", sensor + 1), .unit = "counts"};
@@ -206,9 +221,6 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
     refuse(result, say("too few readings beside the finger: at least two sensors must read in each press"));
     return out;
   }
-  struct Errors {
-    std::vector<double> mm, relative;
-  };
   const auto errorsOf = [&](ClothEdges edges, const ClothFit& fit) {
     Errors errors;
     ClothModel model = fitter.model(edges, fit.at);
@@ -244,7 +256,8 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
   const double ratio_part = std::sqrt(std::max(fit.covariance(1, 1), 0.0));
   result.coefficients = {{std::string(sentence("radius share")), "1", share, share * share_part},
                          {std::string(sentence("tension ratio")), "1", ratio, ratio * ratio_part}};
-  result.held_out_rmse = rootMeanSquare(heldOut(fitter, presses, out.edges));
+  const Errors held_out = heldOut(fitter, presses, out.edges);
+  result.held_out_rmse = rootMeanSquare(held_out.mm);
 
   const double share_limit = p.cloth_share_percent * (free ? kFreeLimits : 1.0);
   const double ratio_limit = p.cloth_ratio_percent * (free ? kFreeLimits : 1.0);
@@ -286,8 +299,8 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
     refuse(result, applied.error().message);
     return out;
   }
-  out.stiffness_error =
-      std::max(doubtOverTheCloth(calibrated, s, readingSensors(presses, sensors)), rootMeanSquare(errors.relative));
+  out.stiffness_error = std::max({doubtOverTheCloth(calibrated, s, readingSensors(presses, sensors)),
+                                  rootMeanSquare(errors.relative), rootMeanSquare(held_out.relative)});
   // The loop needs a bound, not one standard deviation.
   result.changes.push_back(
       {"control.measurement_bias", fmt::format("{:.3g}", std::min(2.0 * out.stiffness_error, 1.0))});

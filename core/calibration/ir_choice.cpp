@@ -42,7 +42,7 @@ std::vector<std::size_t> contradicted(const IrCurve& curve, const IrPoints& poin
 Judged judge(const IrCurve& curve, const IrPoints& points, IrAttempt& attempt) {
   const sensing::IrDistance sensor = curve.sensor(0, sensing::kAdcCodes - 1);
   std::vector<double> residual, held_out, weighted;
-  const auto folds = foldsByTarget(points.distance_mm, Ends::kept);
+  const auto folds = foldsByTarget(points.distance_mm, kSameDistance_mm, Ends::kept);
   const auto predicted = predictHeldOut(
       folds, [&](const auto& rows) { return fitIrCurve(curve.candidate, rowsOf(points, rows)); },
       [&](const IrCurve& fitted, std::size_t row) {

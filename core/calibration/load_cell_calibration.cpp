@@ -177,7 +177,7 @@ LoadCellCalibration calibrateLoadCell(const LoadCellSamples& s, const Calibratio
   result.outliers = findOutliers(centred, line.force, {.least_sigma = kLeastBridgeNoise_N});
 
   const auto predicted = predictHeldOut(
-      foldsByTarget(s.force_N, Ends::held_out),
+      foldsByTarget(s.force_N, same_N, Ends::held_out),
       [&](const std::vector<std::size_t>& learn) {
         Line part = lineOf(s, learn);
         part.design.col(0).array() -= centre;

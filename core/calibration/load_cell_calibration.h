@@ -20,7 +20,7 @@ struct LoadCellCalibration {
   CalibrationResult result;           ///< coefficients: slope (N per mV/V), offset (N); valid_from…valid_to in mV/V
   double drift_N = kUnknown;          ///< from the first point to the last; NaN when order and force go together
   double drift_error_N = kUnknown;    ///< standard error
-  double hysteresis_N = kUnknown;     ///< NaN without both loading and unloading
+  double hysteresis_N = kUnknown;     ///< NaN unless two weights or more were both put on and taken off
   double repeatability_N = kUnknown;  ///< spread of points at the same weight; NaN without repeats
 };
 

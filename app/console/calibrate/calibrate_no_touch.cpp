@@ -15,6 +15,11 @@ namespace {
 
 using widgets::tr;
 
+/// The profile's lists may hold more than are looked at.
+std::size_t sensorsOf(const sensing::IndentationParameters& p) {
+  return std::min<std::size_t>(p.ir_x_mm.size(), sensing::kMaximumIrSensors);
+}
+
 class NoTouchStep : public CalibrationStep {
  public:
   explicit NoTouchStep(const station::Profile& profile) : indentation_(profile.step.sensing.indentation) {}
@@ -40,8 +45,9 @@ class NoTouchStep : public CalibrationStep {
 
   std::vector<CalibrationSignal> signalsWanted(const station::Profile& profile) const override {
     std::vector<CalibrationSignal> out;
-    out.reserve(profile.step.sensing.indentation.ir_x_mm.size());
-    for (std::size_t i = 0; i < profile.step.sensing.indentation.ir_x_mm.size(); ++i) {
+    const std::size_t sensors = sensorsOf(profile.step.sensing.indentation);
+    out.reserve(sensors);
+    for (std::size_t i = 0; i < sensors; ++i) {
       out.push_back({tr("Distance %1").arg(i + 1), QStringLiteral("mm"), 1, sensing::Tare::kLargestSpread_mm});
     }
     out.push_back({tr("Force"), QStringLiteral("N"), 3, sensing::Tare::kLargestSpread_N});
@@ -52,7 +58,7 @@ class NoTouchStep : public CalibrationStep {
     if (scene.newest.contact) return fail("the camera sees a finger on the cloth: take everything off");
     const auto& p = scene.profile.step.sensing;
     std::vector<double> out;
-    for (std::size_t i = 0; i < p.indentation.ir_x_mm.size(); ++i) {
+    for (std::size_t i = 0; i < sensorsOf(p.indentation); ++i) {
       const auto code = liveValue(scene.devices, say("IR sensor {}", i + 1));
       if (!code) return tl::unexpected(code.error());
       const auto read =

@@ -21,11 +21,9 @@ std::vector<double> distinctValues(std::span<const double> values, double tolera
   return out;
 }
 
-std::vector<std::size_t> foldsByTarget(std::span<const double> targets, Ends ends) {
+std::vector<std::size_t> foldsByTarget(std::span<const double> targets, double same, Ends ends) {
   std::vector<std::size_t> folds(targets.size(), kNeverHeldOut);
-  if (targets.empty()) return folds;
-  const auto [lowest, highest] = std::minmax_element(targets.begin(), targets.end());
-  const std::vector<double> distinct = distinctValues(targets, 1e-6 * (*highest - *lowest));
+  const std::vector<double> distinct = distinctValues(targets, same);
   const std::size_t skip = ends == Ends::kept ? 1 : 0;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const auto above = std::upper_bound(distinct.begin(), distinct.end(), targets[i]);

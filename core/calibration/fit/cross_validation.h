@@ -16,8 +16,9 @@ inline constexpr std::size_t kNeverHeldOut = std::numeric_limits<std::size_t>::m
 enum class Ends { held_out, kept };
 
 /// Fold of each point, 0…k−1. Up to ten targets beyond the ends: one target at a time; more: dealt out over ten folds.
+/// @param same targets no farther apart are one: measured values of one distance or weight differ a little
 /// @param ends kept: the lowest and the highest target are in every fit, so that the error is one of interpolation
-[[nodiscard]] std::vector<std::size_t> foldsByTarget(std::span<const double> targets, Ends ends);
+[[nodiscard]] std::vector<std::size_t> foldsByTarget(std::span<const double> targets, double same, Ends ends);
 
 /// Folds dealt out in the given order of the points; for points without repeated targets.
 [[nodiscard]] std::vector<std::size_t> foldsByOrder(std::size_t points);

@@ -66,6 +66,16 @@ TEST(ClothCalibration, ADeadSensorMakesTheLastingErrorThatOfTheOthers) {
   EXPECT_GT(two.stiffness_error, 1.2 * three.stiffness_error);
 }
 
+TEST(ClothCalibration, OfAProfileThatListsMoreSensorsThanThereMayBeTheFirstEightCount) {
+  const ClothSamples samples = pressedCloth();
+  sensing::IndentationParameters longer = kProfile;
+  while (longer.ir_x_mm.push(40.0) && longer.ir_y_mm.push(30.0) && longer.ir_offset_mm.push(100.0)) {
+  }
+  ASSERT_GT(longer.ir_x_mm.size(), sensing::kMaximumIrSensors);
+  const ClothCalibration found = calibrateCloth(samples, longer, {});
+  EXPECT_EQ(found.sensors.size(), sensing::kMaximumIrSensors);
+}
+
 TEST(ClothCalibration, APressThatOnlyTheSensorUnderTheFingerReadsHasNoErrorAndSpoilsNone) {
   ClothSamples samples = pressedCloth();
   samples.codes[0][1] = samples.codes[0][2] = std::nan("");  // the first press is over the first sensor

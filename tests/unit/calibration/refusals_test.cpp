@@ -328,14 +328,22 @@ TEST(NoTouch, AFinishedTareBecomesOffsetsAndAFailedOneWords) {
 
 TEST(Folds, WholeTargetsAreHeldOutAndTheEndsAreNotWhenKept) {
   const std::vector<double> targets = {40, 60, 40, 80, 60, 100};
-  const auto kept = foldsByTarget(targets, Ends::kept);
+  const auto kept = foldsByTarget(targets, 0.25, Ends::kept);
   EXPECT_EQ(kept[0], kNeverHeldOut);
   EXPECT_EQ(kept[5], kNeverHeldOut);
   EXPECT_EQ(kept[1], kept[4]);
   EXPECT_NE(kept[1], kept[3]);
-  const auto all = foldsByTarget(targets, Ends::held_out);
+  const auto all = foldsByTarget(targets, 0.25, Ends::held_out);
   EXPECT_EQ(all[0], all[2]);
   EXPECT_NE(all[0], kNeverHeldOut);
+}
+
+TEST(Folds, MeasuredValuesOfOneTargetAreHeldOutTogether) {
+  const std::vector<double> measured = {40.0, 60.1, 40.2, 80.0, 59.95, 100.0};
+  const auto folds = foldsByTarget(measured, 0.25, Ends::held_out);
+  EXPECT_EQ(folds[0], folds[2]);
+  EXPECT_EQ(folds[1], folds[4]);
+  EXPECT_NE(folds[0], folds[1]);
 }
 
 TEST(Apply, IsAllOrNothing) {
