@@ -76,7 +76,8 @@ void addEnums(py::module_& module) {
       .value("black_picture", FingerReason::black_picture)
       .value("saturated", FingerReason::saturated)
       .value("blurred", FingerReason::blurred)
-      .value("no_picture", FingerReason::no_picture);
+      .value("no_picture", FingerReason::no_picture)
+      .value("light_unknown", FingerReason::light_unknown);
   using recording::NoteKind;
   numbered<NoteKind>(module, "NoteKind", "What a line of a recording's log is; files store the number.")
       .value("note", NoteKind::note)

@@ -143,6 +143,13 @@ void AdaptiveFinger::coverCells() {
   }
 }
 
+/// A share of the light as a mark: never darker than `kDarkest`, and pale enough for the least contrast alone.
+float AdaptiveFinger::markBelow(float share) const {
+  constexpr float kDarkest = 0.3F;
+  const float widest = 1.0F - static_cast<float>(parameters_.minimum_contrast);
+  return std::clamp(share, std::min(kDarkest, widest), widest);
+}
+
 /// @return whether the light that the pass used matches this picture's
 bool AdaptiveFinger::learnLight() {
   float darkest_share = 1.0F;
@@ -163,8 +170,7 @@ bool AdaptiveFinger::learnLight() {
   for (const LightSurface::Cell& cell : cells_) {
     darkest_share = std::min(darkest_share, cell.grey / light_.at(cell.u, cell.v));
   }
-  mark_below_ =
-      std::clamp(0.5F * (1.0F + darkest_share), 0.3F, 1.0F - static_cast<float>(parameters_.minimum_contrast));
+  mark_below_ = markBelow(0.5F * (1.0F + darkest_share));
   light_known_ = true;
   return false;
 }
@@ -183,9 +189,16 @@ FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfI
   if (unusable(out)) {
     light_known_ = false;
     chosen_ = -1;
+    finish(out);
     return out;
   }
   if (!learnLight()) passAgain();
+  if (!light_known_) {
+    out.reason = FingerReason::light_unknown;  // nothing was marked: it cannot be said that nothing touches the cloth
+    chosen_ = -1;
+    finish(out);
+    return out;
+  }
   const float marked_below = mark_below_;
   out = judge();
   // Marks made for a darker finger miss parts of this one, or all of it; those made for a paler one take in its soft
@@ -194,15 +207,19 @@ FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfI
     passAgain();
     out = judge();
   }
+  finish(out);
+  return out;
+}
+
+void AdaptiveFinger::finish(const FingerDetection& detection) {
   ++since_last_;
-  if (out.contact) {
+  if (detection.contact) {
     since_last_ = 0;
     has_last_ = true;
   } else if (since_last_ > kForget_pictures) {
     has_last_ = false;
   }
   top_left_ = nullptr;  // the caller's pixels are not kept
-  return out;
 }
 
 void AdaptiveFinger::passAgain() {
@@ -286,7 +303,7 @@ FingerDetection AdaptiveFinger::judge() {
     mark_below_ = widest;
     return out;
   }
-  mark_below_ = std::clamp(1.0F - 0.5F * static_cast<float>(m.contrast), 0.3F, widest);
+  mark_below_ = markBelow(1.0F - 0.5F * static_cast<float>(m.contrast));
   last_x_ = m.x;
   last_y_ = m.y;
   out.contact = true;

@@ -16,6 +16,7 @@ std::string_view toString(FingerReason reason) {
     case FingerReason::saturated: return sentence("saturated");
     case FingerReason::blurred: return sentence("blurred");
     case FingerReason::no_picture: return sentence("no picture");
+    case FingerReason::light_unknown: return sentence("light unknown");
   }
   return sentence("unknown");
 }

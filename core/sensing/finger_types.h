@@ -13,22 +13,24 @@ namespace fyd::sensing {
 
 /// Stored in files by number: numbers never change, and a new one takes the next.
 enum class FingerReason : std::uint8_t {
-  found = 0,          ///< a finger, all is well
-  no_finger = 1,      ///< the picture is good and shows none
-  too_small = 2,      ///< something dark, smaller than the minimum area
-  at_edge = 3,        ///< a finger, cut by the edge of the region of interest
-  several = 4,        ///< several blobs; the one nearest the last finger was taken
-  flat_picture = 5,   ///< darkest and brightest pixel are equal: nothing to weigh
-  black_picture = 6,  ///< no light
-  saturated = 7,      ///< (nearly) every pixel at the top of the scale
-  blurred = 8,        ///< edge too soft for the usual accuracy
-  no_picture = 9,     ///< empty, or the region of interest lies outside it
+  found = 0,           ///< a finger, all is well
+  no_finger = 1,       ///< the picture is good and shows none
+  too_small = 2,       ///< something dark, smaller than the minimum area
+  at_edge = 3,         ///< a finger, cut by the edge of the region of interest
+  several = 4,         ///< several blobs; the one nearest the last finger was taken
+  flat_picture = 5,    ///< darkest and brightest pixel are equal: nothing to weigh
+  black_picture = 6,   ///< no light
+  saturated = 7,       ///< (nearly) every pixel at the top of the scale
+  blurred = 8,         ///< edge too soft for the usual accuracy
+  no_picture = 9,      ///< empty, or the region of interest lies outside it
+  light_unknown = 10,  ///< no light of the cloth can be told from what lies on it: it may show anything
 };
 
 /// Whether the picture shows the cloth, so that "no contact" means that nothing touches it.
 [[nodiscard]] constexpr bool showsCloth(FingerReason reason) {
   using enum FingerReason;
-  return reason != black_picture && reason != saturated && reason != flat_picture && reason != no_picture;
+  return reason != black_picture && reason != saturated && reason != flat_picture && reason != no_picture &&
+         reason != light_unknown;
 }
 
 /// A word or two for the operator and for JSON, such as "at edge".

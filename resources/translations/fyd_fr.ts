@@ -1816,8 +1816,8 @@ Ctrl et molette pour étirer cette courbe, double-clic pour toute la session.</t
         <translation>Vitesse maximale de l'étirement et de la translation commandés ; dans le mode thesis pas de l'étirement, sauf si le robot le donne.</translation>
     </message>
     <message>
-        <source>Fastest the position sent to the robot moves.</source>
-        <translation>Vitesse maximale de la position envoyée au robot.</translation>
+        <source>Fastest the position sent to the robot moves along each axis.</source>
+        <translation>Vitesse maximale, le long de chaque axe, de la position envoyée au robot.</translation>
     </message>
     <message>
         <source>Feel saved or current values</source>
@@ -7254,6 +7254,10 @@ Pour commencer : %1</translation>
     <message>
         <source>no picture</source>
         <translation>pas d'image</translation>
+    </message>
+    <message>
+        <source>light unknown</source>
+        <translation>lumière inconnue</translation>
     </message>
     <message>
         <source>no picture from {} s to {} s</source>

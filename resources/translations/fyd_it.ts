@@ -1816,8 +1816,8 @@ Ctrl e rotella per allungare questa curva, doppio clic per tutta la sessione.</t
         <translation>Massima velocità della tensione e della traslazione comandate; nel modo thesis non della tensione, a meno che sia il robot a darla.</translation>
     </message>
     <message>
-        <source>Fastest the position sent to the robot moves.</source>
-        <translation>Massima velocità della posizione inviata al robot.</translation>
+        <source>Fastest the position sent to the robot moves along each axis.</source>
+        <translation>Massima velocità, lungo ogni asse, della posizione inviata al robot.</translation>
     </message>
     <message>
         <source>Feel saved or current values</source>
@@ -7254,6 +7254,10 @@ Per cominciare: %1</translation>
     <message>
         <source>no picture</source>
         <translation>nessuna immagine</translation>
+    </message>
+    <message>
+        <source>light unknown</source>
+        <translation>luce sconosciuta</translation>
     </message>
     <message>
         <source>no picture from {} s to {} s</source>

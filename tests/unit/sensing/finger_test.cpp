@@ -182,6 +182,25 @@ TEST(AdaptiveFinger, NamesWhatIsWrongWithAPicture) {
   EXPECT_EQ(detector.detect(edge.view()).reason, FingerReason::at_edge);
 }
 
+TEST(AdaptiveFinger, DoesNotSayUntouchedWhereItCannotTellTheLight) {
+  Picture board(200);
+  for (int y = 0; y < board.height; ++y) {
+    for (int x = 0; x < board.width; ++x) board.set(x, y, (x / 20 + y / 20) % 2 == 0 ? 220 : 30);
+  }
+  board.disc(160, 120, 20, 10);
+  const FingerDetection seen = FingerDetector().detect(board.view());
+  EXPECT_TRUE(seen.contact || !showsCloth(seen.reason)) << toString(seen.reason);
+}
+
+TEST(AdaptiveFinger, TakesTheLargestLeastContrast) {
+  FingerParameters parameters;
+  parameters.minimum_contrast = 0.9;
+  Picture picture(200);
+  picture.disc(172, 105, 15, 4);
+  picture.noise(2);
+  EXPECT_TRUE(FingerDetector(parameters).detect(picture.view()).contact);
+}
+
 TEST(FingerDetector, TakesNoPictureWhoseRowsOverlap) {
   for (const FingerMode mode : {FingerMode::adaptive, FingerMode::thesis}) {
     for (const int channels : {1, 3}) {
