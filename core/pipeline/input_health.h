@@ -18,7 +18,7 @@ using FaultSet = std::bitset<kFaultCount>;  ///< indexed by the number of a Faul
 /// Conditions of this moment that the step computes and the inputs alone do not tell.
 struct HealthContext {
   bool bridge_valid = true;        ///< the load cell's value lies in its span
-  bool indentation_usable = true;  ///< false only while a finger presses and its indentation cannot be told
+  bool indentation_usable = true;  ///< false while too few distance sensors are valid
   bool needs_robot = true;         ///< the target comes from the robot
   bool target_known = true;
   bool step_gap = false;      ///< more than 20 ms without a step

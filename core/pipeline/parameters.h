@@ -66,7 +66,7 @@ struct StepParameters {
             .unit = "mm/s",
             .minimum = 1,
             .maximum = 1000,
-            .help = sentence("Fastest the position sent to the robot moves."),
+            .help = sentence("Fastest the position sent to the robot moves along each axis."),
             .live = true});
     v.real("pipeline.hand_target_N_per_mm", hand_target_N_per_mm,
            {.name = sentence("Hand target"),

@@ -3,7 +3,7 @@
 // Relative (default): a new touch takes hold of the robot where it stands, like a clutch; finger travel along the
 // cloth becomes robot travel. Absolute (thesis): the robot goes where the finger is, with a jump at each new touch.
 // Depth is the indentation in both: pressing is negative z. The position sent never leaves the workspace and never
-// moves faster than the speed limit, whatever comes in. When a lost robot returns, the position is as it left it:
+// moves faster than the speed limit along any axis, whatever comes in: √3 times as fast in space at most. When a lost robot returns, the position is as it left it:
 // resetting it would move an arm that kept its place although no finger moved.
 //
 // Pictures come 30 times a second; between two of them the position moves towards where the last one showed the
