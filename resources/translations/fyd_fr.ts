@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>% of target</source>
-        <translation>% de la cible</translation>
+        <translation>% de la consigne</translation>
     </message>
     <message>
         <source>%1
@@ -651,7 +651,7 @@
     </message>
     <message>
         <source>Adaptive mode: a finger is darker than the lit cloth by at least this part of it.</source>
-        <translation>Mode adaptatif : un doigt est plus sombre que le tissu éclairé d'au moins cette fraction.</translation>
+        <translation>Mode adaptive : un doigt est plus sombre que le tissu éclairé d'au moins cette fraction.</translation>
     </message>
     <message>
         <source>Adaptive mode: smallest dark area that counts as a touch, on the cloth.</source>
@@ -659,7 +659,7 @@
     </message>
     <message>
         <source>Adaptive mode: use every n-th pixel and row, for slow computers.</source>
-        <translation>Mode adaptatif : n'utilise qu'un pixel et une ligne sur n, pour les ordinateurs lents.</translation>
+        <translation>Mode adaptive : n'utilise qu'un pixel et une ligne sur n, pour les ordinateurs lents.</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1095,7 +1095,7 @@
     </message>
     <message>
         <source>Choose a second recording: its curves are drawn faint behind these. In the list of sessions, two can be chosen at once.</source>
-        <translation>Choisir un second enregistrement : ses courbes sont tracées en clair derrière celles-ci. Dans la liste des sessions, on peut en choisir deux à la fois.</translation>
+        <translation>Choisir un second enregistrement : ses courbes sont tracées estompées derrière celles-ci. Dans la liste des sessions, on peut en choisir deux à la fois.</translation>
     </message>
     <message>
         <source>Choose a session, or write the path of a recording.</source>
@@ -1175,7 +1175,7 @@
     </message>
     <message>
         <source>Choose two sessions, the second with Ctrl: the later one is drawn faint behind the first.</source>
-        <translation>Choisir deux sessions, la seconde avec Ctrl : la plus récente est tracée en clair derrière la première.</translation>
+        <translation>Choisir deux sessions, la seconde avec Ctrl : la plus récente est tracée estompée derrière la première.</translation>
     </message>
     <message>
         <source>Classic (not secured)</source>
@@ -1489,7 +1489,7 @@ mm</translation>
     </message>
     <message>
         <source>Derivative gain in thesis mode (the thesis used none).</source>
-        <translation>Gain dérivé en mode thèse (la thèse n'en utilisait pas).</translation>
+        <translation>Gain dérivé en mode thesis (la thèse n'en utilisait pas).</translation>
     </message>
     <message>
         <source>Derivative gain, on the measured stiffness and not on the target.</source>
@@ -1665,11 +1665,11 @@ Ctrl et molette pour étirer cette courbe, double-clic pour toute la session.</t
     </message>
     <message>
         <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
-        <translation>Tracée en clair. Choisir un toucher de chacune pour les superposer.</translation>
+        <translation>Tracée estompée. Choisir un toucher de chacune pour les superposer.</translation>
     </message>
     <message>
         <source>Drawn faint. The search for its touches was cancelled.</source>
-        <translation>Tracée en clair. La recherche de ses touchers a été annulée.</translation>
+        <translation>Tracée estompée. La recherche de ses touchers a été annulée.</translation>
     </message>
     <message>
         <source>Duty that the first motor needs before it turns.</source>
@@ -2327,7 +2327,7 @@ Robot : %2
     </message>
     <message>
         <source>How much a degree of stretch moves the resonance.</source>
-        <translation>De combien un degré de tension déplace la résonance.</translation>
+        <translation>De combien un degré d'étirement déplace la résonance.</translation>
     </message>
     <message>
         <source>How often the robot was silent for longer than the link allows.</source>
@@ -2427,7 +2427,7 @@ Robot : %2
     </message>
     <message>
         <source>Integral gain in thesis mode.</source>
-        <translation>Gain intégral en mode thèse.</translation>
+        <translation>Gain intégral en mode thesis.</translation>
     </message>
     <message>
         <source>Integral gain, of the relative error.</source>
@@ -3203,7 +3203,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>No robot on a network: the target is a scene's, or set by hand.</source>
-        <translation>Aucun robot sur un réseau : l’objectif est celui d’une scène, ou fixé à la main.</translation>
+        <translation>Aucun robot sur un réseau : la consigne est celle d’une scène, ou réglée à la main.</translation>
     </message>
     <message>
         <source>No route to host</source>
@@ -3747,7 +3747,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Proportional gain in thesis mode.</source>
-        <translation>Gain proportionnel en mode thèse.</translation>
+        <translation>Gain proportionnel en mode thesis.</translation>
     </message>
     <message>
         <source>Proportional gain: relative correction for relative error.</source>
@@ -4029,7 +4029,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Resonance of the cloth with a finger on it, at the stretch below.</source>
-        <translation>Résonance du tissu avec un doigt dessus, à la tension ci-dessous.</translation>
+        <translation>Résonance du tissu avec un doigt dessus, à l'étirement ci-dessous.</translation>
     </message>
     <message>
         <source>Resonance, Hz</source>
@@ -4621,7 +4621,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Stretch at which the resonance was found.</source>
-        <translation>Tension à laquelle la résonance a été trouvée.</translation>
+        <translation>Étirement auquel la résonance a été trouvée.</translation>
     </message>
     <message>
         <source>Stretch, read by the encoders</source>
@@ -5065,7 +5065,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The theme changes once the motors are off: Esc would not be heard meanwhile.</source>
-        <translation>Le thème change quand les moteurs sont éteints : Échap ne serait pas entendu entre-temps.</translation>
+        <translation>Le thème change quand les moteurs sont coupés : Esc ne serait pas entendu entre-temps.</translation>
     </message>
     <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
@@ -5145,7 +5145,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Thesis mode: grey values below it are the finger.</source>
-        <translation>Mode thèse : les niveaux de gris inférieurs sont le doigt.</translation>
+        <translation>Mode thesis : les niveaux de gris inférieurs sont le doigt.</translation>
     </message>
     <message>
         <source>Thesis mode: smallest dark area that counts as a touch, in pixels of its 160 × 120 picture.</source>
@@ -5369,7 +5369,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Use the new value all the same; undo takes it back</source>
-        <translation>Utilise quand même la nouvelle valeur ; annuler la reprend</translation>
+        <translation>Utilise quand même la nouvelle valeur ; Annuler revient à la précédente</translation>
     </message>
     <message>
         <source>Use the proposed values; one step to undo</source>
@@ -5901,11 +5901,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>auto-tune: cancelled</source>
-        <translation>auto-tune : annulé</translation>
+        <translation>réglage automatique : annulé</translation>
     </message>
     <message>
         <source>auto-tune: no time constant up to {} s keeps gain margin {} and phase margin {}° (dead time {:.3f} s, lag {:.3f} s, noise {:.1f} %)</source>
-        <translation>auto-tune : aucune constante de temps jusqu'à {} s ne garde la marge de gain {} et la marge de phase {}° (temps mort {:.3f} s, retard {:.3f} s, bruit {:.1f} %)</translation>
+        <translation>réglage automatique : aucune constante de temps jusqu'à {} s ne garde la marge de gain {} et la marge de phase {}° (temps mort {:.3f} s, retard {:.3f} s, bruit {:.1f} %)</translation>
     </message>
     <message>
         <source>average more readings at each distance, target square to the sensor</source>
@@ -5993,7 +5993,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>calibration points not accepted: %1</source>
-        <translation>points de calibration non acceptés : %1</translation>
+        <translation>points d'étalonnage non acceptés : %1</translation>
     </message>
     <message>
         <source>camera %1</source>
@@ -6757,7 +6757,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>handshake</source>
-        <translation>prise de contact</translation>
+        <translation>poignée de main</translation>
     </message>
     <message>
         <source>has said goodbye</source>
@@ -7105,7 +7105,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>motor board {} at {} does not obey: its motors are on, expected off; switch off its supply</source>
-        <translation>la carte moteurs {} sur {} n'obéit pas : ses moteurs sont en marche, attendus éteints ; couper son alimentation</translation>
+        <translation>la carte moteurs {} sur {} n'obéit pas : ses moteurs sont en marche, attendus coupés ; couper son alimentation</translation>
     </message>
     <message>
         <source>motor board {} at {} {}: mend that, then arm again</source>
@@ -7549,7 +7549,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>part {}: no acceleration_g at {} s; the chirp needs an accelerometer on the cloth: encoders, load cell and currents cannot see it</source>
-        <translation>partie {} : pas d'acceleration_g à {} s ; le balayage demande un accéléromètre sur le tissu : codeurs, capteur de force et courants ne peuvent pas le voir</translation>
+        <translation>partie {} : pas d'acceleration_g à {} s ; le balayage demande un accéléromètre sur le tissu : codeurs, cellule de charge et courants ne peuvent pas le voir</translation>
     </message>
     <message>
         <source>part {}: resonance {:.1f} ± {:.1f} Hz: not determined; expected ± {:.0f} % or better</source>
@@ -8805,7 +8805,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>unknown parameter '{}'; a replay changes the step's only</source>
-        <translation>paramètre inconnu '{}' ; une relecture ne change que ceux du pas</translation>
+        <translation>paramètre inconnu '{}' ; une réexécution ne change que ceux du pas</translation>
     </message>
     <message>
         <source>unknown problem</source>
@@ -9105,7 +9105,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} chirps, stretches {} ° apart; expected two or more chirps, {} ° apart</source>
-        <translation>{} balayages, tensions écartées de {} ° ; attendu deux balayages ou plus, écartés de {} °</translation>
+        <translation>{} balayages, étirements écartés de {} ° ; attendu deux balayages ou plus, écartés de {} °</translation>
     </message>
     <message>
         <source>{} conditions: expected 1 … {}</source>

@@ -651,7 +651,7 @@
     </message>
     <message>
         <source>Adaptive mode: a finger is darker than the lit cloth by at least this part of it.</source>
-        <translation>Modo adattivo: un dito è più scuro del tessuto illuminato almeno di questa frazione.</translation>
+        <translation>Modo adaptive: un dito è più scuro del tessuto illuminato almeno di questa frazione.</translation>
     </message>
     <message>
         <source>Adaptive mode: smallest dark area that counts as a touch, on the cloth.</source>
@@ -659,7 +659,7 @@
     </message>
     <message>
         <source>Adaptive mode: use every n-th pixel and row, for slow computers.</source>
-        <translation>Modo adattivo: usa un pixel e una riga ogni n, per i computer lenti.</translation>
+        <translation>Modo adaptive: usa un pixel e una riga ogni n, per i computer lenti.</translation>
     </message>
     <message>
         <source>Add</source>
@@ -791,7 +791,7 @@
     </message>
     <message>
         <source>Auto-tune</source>
-        <translation>Taratura automatica</translation>
+        <translation>Regolazione automatica</translation>
     </message>
     <message>
         <source>Averages the signal and adds it to the points.</source>
@@ -975,7 +975,7 @@
     </message>
     <message>
         <source>Cancel auto-tune</source>
-        <translation>Annulla la taratura automatica</translation>
+        <translation>Annulla la regolazione automatica</translation>
     </message>
     <message>
         <source>Cancel the newest with %1</source>
@@ -1439,7 +1439,7 @@
     </message>
     <message>
         <source>Dead time of the measured stiffness behind the stretch; auto-tune measures it.</source>
-        <translation>Tempo morto della rigidezza misurata rispetto alla tensione; la taratura automatica lo misura.</translation>
+        <translation>Tempo morto della rigidezza misurata rispetto alla tensione; la regolazione automatica lo misura.</translation>
     </message>
     <message>
         <source>Dead zone</source>
@@ -1489,7 +1489,7 @@ mm</translation>
     </message>
     <message>
         <source>Derivative gain in thesis mode (the thesis used none).</source>
-        <translation>Guadagno derivativo nel modo tesi (la tesi non ne usava).</translation>
+        <translation>Guadagno derivativo nel modo thesis (la tesi non ne usava).</translation>
     </message>
     <message>
         <source>Derivative gain, on the measured stiffness and not on the target.</source>
@@ -1517,7 +1517,7 @@ mm</translation>
     </message>
     <message>
         <source>Differences, presets, auto-tune, read back</source>
-        <translation>Differenze, preimpostazioni, taratura automatica, riletto</translation>
+        <translation>Differenze, preimpostazioni, regolazione automatica, riletto</translation>
     </message>
     <message>
         <source>Different from %1 s on (%2).</source>
@@ -1637,7 +1637,7 @@ mm</translation>
     </message>
     <message>
         <source>Dots: the resonance at each stretch, with its uncertainty. Line: what the texture will reckon with. Dashed: what it reckons with now.</source>
-        <translation>Punti: la risonanza a ogni stiramento, con la sua incertezza. Linea: ciò di cui la trama terrà conto. Tratteggiata: ciò di cui tiene conto ora.</translation>
+        <translation>Punti: la risonanza a ogni tensione, con la sua incertezza. Linea: ciò di cui la texture terrà conto. Tratteggiata: ciò di cui tiene conto ora.</translation>
     </message>
     <message>
         <source>Drag to look back, wheel to zoom, drag with the right button to zoom into a box,
@@ -2335,7 +2335,7 @@ Robot: %2
     </message>
     <message>
         <source>How slowly the measured stiffness follows the true one (time constant); auto-tune measures it.</source>
-        <translation>Quanto lentamente la rigidezza misurata segue la vera (costante di tempo); la taratura automatica la misura.</translation>
+        <translation>Quanto lentamente la rigidezza misurata segue la vera (costante di tempo); la regolazione automatica la misura.</translation>
     </message>
     <message>
         <source>How the cloth gets its target: direct takes the robot's stiffness as it comes, spring its force over the indentation, tdpa the same within the energy that the finger put in, model keeps an estimate that stiffens out of contact or at another place.</source>
@@ -2427,7 +2427,7 @@ Robot: %2
     </message>
     <message>
         <source>Integral gain in thesis mode.</source>
-        <translation>Guadagno integrale nel modo tesi.</translation>
+        <translation>Guadagno integrale nel modo thesis.</translation>
     </message>
     <message>
         <source>Integral gain, of the relative error.</source>
@@ -2491,7 +2491,7 @@ Robot: %2
     </message>
     <message>
         <source>KRC link quality {}: {:.0f} % of its measurements answered; expected good or perfect</source>
-        <translation>qualità del collegamento KRC {}: risposto al {:.0f} % delle sue misure; attesa good o perfect</translation>
+        <translation>qualità del collegamento KRC {}: risposto al {:.0f} % delle sue misure; attesa buona o perfetta</translation>
     </message>
     <message>
         <source>KRC off: open FRI in the program on the controller</source>
@@ -2667,7 +2667,7 @@ Robot: %2
     </message>
     <message>
         <source>Lay the robot's accelerometer on the cloth, along its motion, and a finger beside it. Then hold the button until the sweep of %1 s is over: at two stretches or more.</source>
-        <translation>Posa l'accelerometro del robot sul tessuto, lungo il suo moto, e un dito accanto. Poi tieni premuto il pulsante finché la scansione di %1 s è finita: a due stiramenti o più.</translation>
+        <translation>Posare l'accelerometro del robot sul tessuto, lungo il suo moto, e un dito accanto. Poi tenere premuto il pulsante finché la scansione di %1 s è finita: a due tensioni o più.</translation>
     </message>
     <message>
         <source>Layouts</source>
@@ -2837,7 +2837,7 @@ s</translation>
     </message>
     <message>
         <source>Look at the verdict at the right, then accept it, or add a sweep at another stretch.</source>
-        <translation>Guarda il verdetto a destra, poi accettalo, o aggiungi una scansione a un altro stiramento.</translation>
+        <translation>Guardare il verdetto a destra, poi accettarlo, o aggiungere una scansione a un'altra tensione.</translation>
     </message>
     <message>
         <source>Look at the verdict at the right, then accept it, or add presses.</source>
@@ -3463,11 +3463,11 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
     </message>
     <message>
         <source>On a cloth 30 % softer than its law says, with the sensors that the profile describes. Auto-tune finds out more.</source>
-        <translation>Su un tessuto 30 % più morbido di quanto dice la sua legge, con i sensori descritti dal profilo. La taratura automatica ne scopre di più.</translation>
+        <translation>Su un tessuto 30 % più morbido di quanto dice la sua legge, con i sensori descritti dal profilo. La regolazione automatica ne scopre di più.</translation>
     </message>
     <message>
         <source>On the cloth that auto-tune identified, 30 % softer than its law says.</source>
-        <translation>Sul tessuto identificato dalla taratura automatica, 30 % più morbido di quanto dice la sua legge.</translation>
+        <translation>Sul tessuto identificato dalla regolazione automatica, 30 % più morbido di quanto dice la sua legge.</translation>
     </message>
     <message>
         <source>One measurement of %1 s.</source>
@@ -3711,11 +3711,11 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
     </message>
     <message>
         <source>Press over distance sensor %1 once more, twice as deep and at least %2.</source>
-        <translation>Premere ancora una volta sopra il sensore di distanza %1, due volte più a fondo e per almeno %2.</translation>
+        <translation>Premere ancora una volta sopra il sensore di distanza %1, a una profondità doppia e di almeno %2.</translation>
     </message>
     <message>
         <source>Press over distance sensor %1, some 3 mm deep.</source>
-        <translation>Premere sopra il sensore di distanza %1, per circa 3 mm.</translation>
+        <translation>Premere sopra il sensore di distanza %1, a circa 3 mm di profondità.</translation>
     </message>
     <message>
         <source>Press the cloth now, and hold the depth for a second.</source>
@@ -3743,11 +3743,11 @@ Si riprova da sé. Un’altra telecamera si sceglie in Dispositivi.</translation
     </message>
     <message>
         <source>Progress of auto-tune</source>
-        <translation>Avanzamento della taratura automatica</translation>
+        <translation>Avanzamento della regolazione automatica</translation>
     </message>
     <message>
         <source>Proportional gain in thesis mode.</source>
-        <translation>Guadagno proporzionale nel modo tesi.</translation>
+        <translation>Guadagno proporzionale nel modo thesis.</translation>
     </message>
     <message>
         <source>Proportional gain: relative correction for relative error.</source>
@@ -4645,7 +4645,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Sweeps at two stretches, 10° apart, with an accelerometer.</source>
-        <translation>Scansioni a due stiramenti, distanti 10°, con un accelerometro.</translation>
+        <translation>Scansioni a due tensioni, distanti 10°, con un accelerometro.</translation>
     </message>
     <message>
         <source>Tag "%1": expected at most %2 characters.</source>
@@ -4689,7 +4689,7 @@ N/mm</translation>
     </message>
     <message>
         <source>Take the last point back</source>
-        <translation>Riprendi l'ultimo punto</translation>
+        <translation>Togli l'ultimo punto</translation>
     </message>
     <message>
         <source>Take the load off the cover; check the bridge's wiring.</source>
@@ -4773,7 +4773,7 @@ N/mm</translation>
     </message>
     <message>
         <source>The breakaway of both motors, and sweeps at two stretches, 10° apart, with an accelerometer.</source>
-        <translation>Lo spunto di entrambi i motori, e scansioni a due stiramenti, distanti 10°, con un accelerometro.</translation>
+        <translation>Lo spunto di entrambi i motori, e scansioni a due tensioni, distanti 10°, con un accelerometro.</translation>
     </message>
     <message>
         <source>The breakaway of both motors.</source>
@@ -4941,7 +4941,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>The recording cannot be replayed exactly: the step gave another result the second time. The measured values are safe. Please report this fault with the file.</source>
-        <translation>La registrazione non si può riprodurre esattamente: la seconda volta il passo ha dato un altro risultato. I valori misurati sono al sicuro. Segnalare questo difetto con il file.</translation>
+        <translation>La registrazione non si può rieseguire esattamente: la seconda volta il passo ha dato un altro risultato. I valori misurati sono al sicuro. Segnalare questo difetto con il file.</translation>
     </message>
     <message>
         <source>The recording did not close as it should. %1. What was written before is safe: it is repaired when the file is opened.</source>
@@ -5145,7 +5145,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Thesis mode: grey values below it are the finger.</source>
-        <translation>Modo tesi: i valori di grigio al di sotto sono il dito.</translation>
+        <translation>Modo thesis: i valori di grigio al di sotto sono il dito.</translation>
     </message>
     <message>
         <source>Thesis mode: smallest dark area that counts as a touch, in pixels of its 160 × 120 picture.</source>
@@ -5217,7 +5217,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Time over which the measured stiffness' noise repeats itself; auto-tune measures it.</source>
-        <translation>Tempo dopo il quale il rumore della rigidezza misurata si ripete; la taratura automatica lo misura.</translation>
+        <translation>Tempo dopo il quale il rumore della rigidezza misurata si ripete; la regolazione automatica lo misura.</translation>
     </message>
     <message>
         <source>Time shown</source>
@@ -5369,7 +5369,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>Use the new value all the same; undo takes it back</source>
-        <translation>Usa lo stesso il nuovo valore; Annulla lo riprende</translation>
+        <translation>Usa lo stesso il nuovo valore; Annulla torna al precedente</translation>
     </message>
     <message>
         <source>Use the proposed values; one step to undo</source>
@@ -5897,15 +5897,15 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>auto-tune</source>
-        <translation>taratura automatica</translation>
+        <translation>regolazione automatica</translation>
     </message>
     <message>
         <source>auto-tune: cancelled</source>
-        <translation>auto-tune: annullato</translation>
+        <translation>regolazione automatica: annullata</translation>
     </message>
     <message>
         <source>auto-tune: no time constant up to {} s keeps gain margin {} and phase margin {}° (dead time {:.3f} s, lag {:.3f} s, noise {:.1f} %)</source>
-        <translation>auto-tune: nessuna costante di tempo fino a {} s conserva il margine di guadagno {} e il margine di fase {}° (tempo morto {:.3f} s, ritardo {:.3f} s, rumore {:.1f} %)</translation>
+        <translation>regolazione automatica: nessuna costante di tempo fino a {} s conserva il margine di guadagno {} e il margine di fase {}° (tempo morto {:.3f} s, ritardo {:.3f} s, rumore {:.1f} %)</translation>
     </message>
     <message>
         <source>average more readings at each distance, target square to the sensor</source>
@@ -5925,7 +5925,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>before a handshake</source>
-        <translation>prima di un handshake</translation>
+        <translation>prima di un saluto</translation>
     </message>
     <message>
         <source>being recorded</source>
@@ -6757,7 +6757,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>handshake</source>
-        <translation>stretta di mano</translation>
+        <translation>saluto</translation>
     </message>
     <message>
         <source>has said goodbye</source>
@@ -7529,7 +7529,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>part {}: a chirp of {} s; expected {} s and more</source>
-        <translation>parte {}: uno sweep di {} s; attesi {} s o più</translation>
+        <translation>parte {}: una scansione di {} s; attesi {} s o più</translation>
     </message>
     <message>
         <source>part {}: duty of motor {} goes from {} to {} %: expected a ramp in steps of at most {} %</source>
@@ -7545,11 +7545,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>part {}: neither a ramp of one motor nor a chirp of both with the same duty</source>
-        <translation>parte {}: né una rampa di un motore né uno sweep di entrambi con lo stesso duty</translation>
+        <translation>parte {}: né una rampa di un motore né una scansione di entrambi con lo stesso duty</translation>
     </message>
     <message>
         <source>part {}: no acceleration_g at {} s; the chirp needs an accelerometer on the cloth: encoders, load cell and currents cannot see it</source>
-        <translation>parte {}: nessuna acceleration_g a {} s; lo sweep richiede un accelerometro sul tessuto: encoder, cella di carico e correnti non possono vederlo</translation>
+        <translation>parte {}: nessuna acceleration_g a {} s; la scansione richiede un accelerometro sul tessuto: encoder, cella di carico e correnti non possono vederla</translation>
     </message>
     <message>
         <source>part {}: resonance {:.1f} ± {:.1f} Hz: not determined; expected ± {:.0f} % or better</source>
@@ -7685,11 +7685,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>preset '{}': expected a name of 1 to {} letters, digits, spaces, '-' or '_', with no space at its ends</source>
-        <translation>preselezione '{}': atteso un nome da 1 a {} lettere, cifre, spazi, '-' o '_', senza spazi ai margini</translation>
+        <translation>preimpostazione '{}': atteso un nome da 1 a {} lettere, cifre, spazi, '-' o '_', senza spazi ai margini</translation>
     </message>
     <message>
         <source>preset '{}': there is one of this name; delete it first or choose another name</source>
-        <translation>preselezione '{}': ce n'è una con questo nome; cancellarla prima o scegliere un altro nome</translation>
+        <translation>preimpostazione '{}': ce n'è una con questo nome; eliminarla prima o scegliere un altro nome</translation>
     </message>
     <message>
         <source>press slower, and hold each depth</source>
@@ -8469,7 +8469,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>the recording holds no state of the step to start from: steps had been lost before it began; it can be looked at, not replayed</source>
-        <translation>la registrazione non contiene uno stato del passo da cui partire: dei passi erano andati persi prima che iniziasse; si può guardare, non ripetere</translation>
+        <translation>la registrazione non contiene uno stato del passo da cui partire: dei passi erano andati persi prima che iniziasse; si può guardare, non rieseguire</translation>
     </message>
     <message>
         <source>the recording holds no step</source>
@@ -8805,7 +8805,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>unknown parameter '{}'; a replay changes the step's only</source>
-        <translation>parametro sconosciuto '{}'; una ripetizione cambia solo quelli del passo</translation>
+        <translation>parametro sconosciuto '{}'; una riesecuzione cambia solo quelli del passo</translation>
     </message>
     <message>
         <source>unknown problem</source>
@@ -9081,7 +9081,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{} by the operator. Motors are off. Arm to start again.</source>
-        <translation>{} dall'operatore. Motori spenti. Armare per ricominciare.</translation>
+        <translation>{} per comando dell'operatore. Motori spenti. Armare per ricominciare.</translation>
     </message>
     <message>
         <source>{} bytes are not a scene: {}</source>
@@ -9105,7 +9105,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{} chirps, stretches {} ° apart; expected two or more chirps, {} ° apart</source>
-        <translation>{} sweep, tensioni distanti {} °; attesi due o più sweep, distanti {} °</translation>
+        <translation>{} scansioni, tensioni distanti {} °; attese due o più scansioni, distanti {} °</translation>
     </message>
     <message>
         <source>{} conditions: expected 1 … {}</source>
@@ -9389,7 +9389,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than {:.3f}</source>
-        <translation>{}: un'esportazione finirebbe prima della registrazione; `fyd session recover` rende prima integro ciò che si può provare, oppure esportare fino a un secondo precedente {:.3f}</translation>
+        <translation>{}: un'esportazione finirebbe prima della registrazione; `fyd session recover` rende prima integro ciò che si può provare, oppure esportare fino a un secondo precedente a {:.3f}</translation>
     </message>
     <message>
         <source>{}: another recording has this name now; open it again</source>
@@ -10201,7 +10201,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>{}: {} cannot change while the station runs; a preset holds live parameters only</source>
-        <translation>{}: {} non può cambiare mentre la stazione lavora; una preselezione contiene solo parametri modificabili dal vivo</translation>
+        <translation>{}: {} non può cambiare mentre la stazione lavora; una preimpostazione contiene solo parametri modificabili dal vivo</translation>
     </message>
     <message>
         <source>{}: {} follows {}; expected rising values</source>
