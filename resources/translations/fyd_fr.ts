@@ -131,7 +131,7 @@
     </message>
     <message>
         <source>%1 is whole: %2 samples. Nothing was lost; the damaged original is kept as %3.</source>
-        <translation>%1 est entier : %2 échantillons. Rien n'est perdu ; l'original endommagé est conservé sous %3.</translation>
+        <translation>%1 est entier : %2 échantillons. Rien n'est perdu ; l'original endommagé est conservé sous %3.</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -211,7 +211,7 @@
     </message>
     <message>
         <source>%1 steps, %2 cycles missed since the start; a step takes %3 µs (median), %4 µs (99th percentile)</source>
-        <translation>%1 pas, %2 cycles manqués depuis le début ; un pas dure %3 µs (médiane), %4 µs (99e percentile)</translation>
+        <translation>%1 pas, %2 cycles manqués depuis le début ; un pas dure %3 µs (médiane), %4 µs (99e percentile)</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -263,7 +263,7 @@
     </message>
     <message>
         <source>%1 · too large: %2</source>
-        <translation>%1 · trop grand : %2</translation>
+        <translation>%1 · trop grand : %2</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -315,7 +315,7 @@
     </message>
     <message>
         <source>%1: %2 ± %3</source>
-        <translation>%1 : %2 ± %3</translation>
+        <translation>%1 : %2 ± %3</translation>
     </message>
     <message>
         <source>%1: %2.</source>
@@ -323,11 +323,11 @@
     </message>
     <message>
         <source>%1: all %2 samples are saved, but not all that belongs to them: %3 could not be read. The damaged original is kept as %4.</source>
-        <translation>%1 : les %2 échantillons sont tous sauvés, mais pas tout ce qui les accompagne : %3 illisible. L'original endommagé est conservé sous %4.</translation>
+        <translation>%1 : les %2 échantillons sont tous sauvés, mais pas tout ce qui les accompagne : %3 illisible. L'original endommagé est conservé sous %4.</translation>
     </message>
     <message>
         <source>%1: choose the file</source>
-        <translation>%1 : choisir le fichier</translation>
+        <translation>%1 : choisir le fichier</translation>
     </message>
     <message>
         <source>%1: difference %2, mean %3</source>
@@ -335,7 +335,7 @@
     </message>
     <message>
         <source>%1: done</source>
-        <translation>%1 : fait</translation>
+        <translation>%1 : fait</translation>
     </message>
     <message>
         <source>%1: expected a number</source>
@@ -347,7 +347,7 @@
     </message>
     <message>
         <source>%1: now</source>
-        <translation>%1 : maintenant</translation>
+        <translation>%1 : maintenant</translation>
     </message>
     <message>
         <source>%1: this folder cannot be made</source>
@@ -423,7 +423,7 @@
     </message>
     <message>
         <source>--open {}: expected one or more of {}</source>
-        <translation>--open {} : attendu un ou plusieurs parmi {}</translation>
+        <translation>--open {} : attendu un ou plusieurs parmi {}</translation>
     </message>
     <message>
         <source>--operator, --subject, --notes and --tag describe a recording; add --record FILE</source>
@@ -439,7 +439,7 @@
     </message>
     <message>
         <source>--scale {}: expected a number from 0.5 to 4</source>
-        <translation>--scale {} : attendu un nombre de 0,5 à 4</translation>
+        <translation>--scale {} : attendu un nombre de 0,5 à 4</translation>
     </message>
     <message>
         <source>--simulate contradicts --touchpad {}</source>
@@ -447,7 +447,7 @@
     </message>
     <message>
         <source>--size {}: expected WIDTHxHEIGHT, each from {} to {}</source>
-        <translation>--size {} : attendu LARGEURxHAUTEUR, chacune de {} à {}</translation>
+        <translation>--size {} : attendu LARGEURxHAUTEUR, chacune de {} à {}</translation>
     </message>
     <message>
         <source>--theme {}: expected dark, light or system</source>
@@ -475,7 +475,7 @@
     </message>
     <message>
         <source>/commits: {} of {} rows are damaged, the first: row {}</source>
-        <translation>/commits : {} lignes sur {} sont endommagées, la première : ligne {}</translation>
+        <translation>/commits : {} lignes sur {} sont endommagées, la première : ligne {}</translation>
     </message>
     <message>
         <source>0 s</source>
@@ -655,7 +655,7 @@
     </message>
     <message>
         <source>Adaptive mode: smallest dark area that counts as a touch, on the cloth.</source>
-        <translation>Mode adaptive : plus petite surface sombre qui compte comme un toucher, sur le tissu.</translation>
+        <translation>Mode adaptive : plus petite aire sombre qui compte comme un toucher, sur le tissu.</translation>
     </message>
     <message>
         <source>Adaptive mode: use every n-th pixel and row, for slow computers.</source>
@@ -743,11 +743,11 @@
     </message>
     <message>
         <source>Area, mm²</source>
-        <translation>Surface, mm²</translation>
+        <translation>Aire, mm²</translation>
     </message>
     <message>
         <source>Arm: go to the button that is held</source>
-        <translation>Armer : aller au bouton à maintenir</translation>
+        <translation>Armer : aller au bouton à maintenir</translation>
     </message>
     <message>
         <source>Arrived</source>
@@ -915,7 +915,7 @@
     </message>
     <message>
         <source>Calibrate: %1 of %2 parts</source>
-        <translation>Étalonnage : %1 parties sur %2</translation>
+        <translation>Étalonnage : %1 parties sur %2</translation>
     </message>
     <message>
         <source>Calibrated on this touchpad</source>
@@ -923,7 +923,7 @@
     </message>
     <message>
         <source>Calibration points read with the former values are discarded: take them again (%1).</source>
-        <translation>Les points d'étalonnage lus avec les valeurs précédentes sont écartés : les reprendre (%1).</translation>
+        <translation>Les points d'étalonnage lus avec les valeurs précédentes sont écartés : les reprendre (%1).</translation>
     </message>
     <message>
         <source>Calibration report as PDF</source>
@@ -1059,7 +1059,7 @@
     </message>
     <message>
         <source>Check the network cable and the robot's program; it is awaited at %1.</source>
-        <translation>Vérifier le câble réseau et le programme du robot ; il est attendu à %1.</translation>
+        <translation>Vérifier le câble réseau et le programme du robot ; il est attendu à %1.</translation>
     </message>
     <message>
         <source>Check the network cable and what sends the pictures at %1.</source>
@@ -1155,7 +1155,7 @@
     </message>
     <message>
         <source>Choose the serial port; behind a colon its speed, 115 200 Bd without.</source>
-        <translation>Choisir le port série ; après un deux-points sa vitesse, sans elle 115 200 Bd.</translation>
+        <translation>Choisir le port série ; après un deux-points sa vitesse, sans elle 115 200 Bd.</translation>
     </message>
     <message>
         <source>Choose the touchpad and its camera in Devices, then press Connect there.</source>
@@ -1235,11 +1235,11 @@
     </message>
     <message>
         <source>Close what has it at %1, such as another console; this one then takes it by itself.</source>
-        <translation>Fermer ce qui l'utilise à %1, par exemple une autre console ; celle-ci le reprend ensuite d'elle-même.</translation>
+        <translation>Fermer ce qui l'utilise à %1, par exemple une autre console ; celle-ci le reprend ensuite d'elle-même.</translation>
     </message>
     <message>
         <source>Close: %1</source>
-        <translation>Fermer : %1</translation>
+        <translation>Fermer : %1</translation>
     </message>
     <message>
         <source>Closed</source>
@@ -1315,7 +1315,7 @@
     </message>
     <message>
         <source>Connected: %1.</source>
-        <translation>Connecté : %1.</translation>
+        <translation>Connecté : %1.</translation>
     </message>
     <message>
         <source>Connection refused</source>
@@ -1331,31 +1331,31 @@
     </message>
     <message>
         <source>Contact mode: from the camera's lens to the untouched cloth.</source>
-        <translation>Mode contact : de l'objectif de la caméra au tissu non touché.</translation>
+        <translation>Mode contact : de l'objectif de la caméra au tissu non touché.</translation>
     </message>
     <message>
         <source>Contact mode: held on all four sides, or held by two rollers left and right with front and back free.</source>
-        <translation>Mode contact : tenu sur les quatre côtés, ou tenu par deux rouleaux à gauche et à droite, l'avant et l'arrière libres.</translation>
+        <translation>Mode contact : tenu sur les quatre côtés, ou tenu par deux rouleaux à gauche et à droite, l'avant et l'arrière libres.</translation>
     </message>
     <message>
         <source>Contact mode: how uncertain that ratio is, as a part of it.</source>
-        <translation>Mode contact : incertitude de ce rapport, en part de celui-ci.</translation>
+        <translation>Mode contact : incertitude de ce rapport, en part de celui-ci.</translation>
     </message>
     <message>
         <source>Contact mode: how uncertain that share is.</source>
-        <translation>Mode contact : incertitude de cette part.</translation>
+        <translation>Mode contact : incertitude de cette part.</translation>
     </message>
     <message>
         <source>Contact mode: radius of the disc that the finger looks like from afar, as a share of the contact's: 0.6 for a sphere, 1 for a flat disc.</source>
-        <translation>Mode contact : rayon du disque que le doigt paraît être de loin, en part de celui du contact : 0,6 pour une sphère, 1 pour un disque plat.</translation>
+        <translation>Mode contact : rayon du disque que le doigt paraît être de loin, en part de celui du contact : 0,6 pour une sphère, 1 pour un disque plat.</translation>
     </message>
     <message>
         <source>Contact mode: the cloth's tension from left to right over that from front to back.</source>
-        <translation>Mode contact : tension du tissu de gauche à droite divisée par celle d'avant en arrière.</translation>
+        <translation>Mode contact : tension du tissu de gauche à droite divisée par celle d'avant en arrière.</translation>
     </message>
     <message>
         <source>Contact mode: what the cloth's formula leaves of each sensor's share, as a part of the indentation.</source>
-        <translation>Mode contact : ce que la formule du tissu laisse dans la part de chaque capteur, en part de l'enfoncement.</translation>
+        <translation>Mode contact : ce que la formule du tissu laisse dans la part de chaque capteur, en part de l'indentation.</translation>
     </message>
     <message>
         <source>Contact radius share</source>
@@ -1657,7 +1657,7 @@ Ctrl et molette pour étirer cette courbe, double-clic pour toute la session.</t
     </message>
     <message>
         <source>Drag: turn · Shift: move · wheel: zoom</source>
-        <translation>Glisser : tourner · Maj : déplacer · molette : zoomer</translation>
+        <translation>Glisser : tourner · Maj : déplacer · molette : zoomer</translation>
     </message>
     <message>
         <source>Drag: turn · Shift: move · wheel: zoom · Ctrl: touch</source>
@@ -1761,7 +1761,7 @@ Ctrl et molette pour étirer cette courbe, double-clic pour toute la session.</t
     </message>
     <message>
         <source>Everything is simulated: time waits for this computer when it is late, %1 s so far, and nothing is Held for it.</source>
-        <translation>Tout est simulé : le temps attend cet ordinateur quand il est en retard, %1 s jusqu'ici, et rien n'est Bloqué pour cela.</translation>
+        <translation>Tout est simulé : le temps attend cet ordinateur quand il est en retard, %1 s jusqu'ici, et rien n'est Bloqué pour cela.</translation>
     </message>
     <message>
         <source>Everything needed is there; motors off.</source>
@@ -1813,7 +1813,7 @@ Ctrl et molette pour étirer cette courbe, double-clic pour toute la session.</t
     </message>
     <message>
         <source>Fastest change of the commanded stretch and translation; in mode thesis not of the stretch, unless the robot sets it.</source>
-        <translation>Vitesse maximale de l'étirement et de la translation commandés ; dans le mode thesis pas de l'étirement, sauf si le robot le donne.</translation>
+        <translation>Vitesse maximale de l'étirement et de la translation commandés ; dans le mode thesis pas de l'étirement, sauf si le robot le donne.</translation>
     </message>
     <message>
         <source>Fastest the position sent to the robot moves along each axis.</source>
@@ -1961,7 +1961,7 @@ Ctrl et molette pour étirer cette courbe, double-clic pour toute la session.</t
     </message>
     <message>
         <source>Finger's area</source>
-        <translation>Surface du doigt</translation>
+        <translation>Aire du doigt</translation>
     </message>
     <message>
         <source>Finger, indentation and force</source>
@@ -2155,7 +2155,7 @@ N</translation>
     </message>
     <message>
         <source>Go to Operate, hold Arm in the bar above until it acts, then press the cloth: with the mouse on the camera's picture.</source>
-        <translation>Aller à Conduite, maintenir le bouton d’armement de la barre du haut jusqu’à ce qu’il agisse, puis presser le tissu : à la souris sur l’image de la caméra.</translation>
+        <translation>Aller à Conduite, maintenir le bouton d’armement de la barre du haut jusqu’à ce qu’il agisse, puis presser le tissu : à la souris sur l’image de la caméra.</translation>
     </message>
     <message>
         <source>Go to a time</source>
@@ -2203,7 +2203,7 @@ N</translation>
     </message>
     <message>
         <source>Haptic point %1, proxy %2, force %3; %4.</source>
-        <translation>Point haptique %1, proxy %2, force %3 ; %4.</translation>
+        <translation>Point haptique %1, proxy %2, force %3 ; %4.</translation>
     </message>
     <message>
         <source>Heat limit</source>
@@ -2455,7 +2455,7 @@ Robot : %2
     </message>
     <message>
         <source>It cannot be proven bit for bit, a part of the recording is lost: %1</source>
-        <translation>Cela ne peut être prouvé bit pour bit, une partie de l'enregistrement est perdue : %1</translation>
+        <translation>Cela ne peut être prouvé bit pour bit, une partie de l'enregistrement est perdue : %1</translation>
     </message>
     <message>
         <source>It ends at the first of %1 lost samples.</source>
@@ -2463,11 +2463,11 @@ Robot : %2
     </message>
     <message>
         <source>It is damaged. Recover keeps what can be proven; it can be opened as it is, too.</source>
-        <translation>Il est endommagé. Récupérer garde ce qui peut être prouvé ; il s'ouvre aussi tel quel.</translation>
+        <translation>Il est endommagé. Récupérer garde ce qui peut être prouvé ; il s'ouvre aussi tel quel.</translation>
     </message>
     <message>
         <source>Its recorder crashed, or it is damaged; what can be proven is shown. This makes the recording whole. Nothing is deleted.</source>
-        <translation>Son enregistreur s'est interrompu, ou il est endommagé ; ce qui peut être prouvé est montré. Ceci rend l'enregistrement entier. Rien n'est effacé.</translation>
+        <translation>Son enregistreur s'est interrompu, ou il est endommagé ; ce qui peut être prouvé est montré. Ceci rend l'enregistrement entier. Rien n'est effacé.</translation>
     </message>
     <message>
         <source>Its recorder crashed. Recover makes it whole; it can be opened as it is, too.</source>
@@ -2852,7 +2852,7 @@ s</translation>
 %2
 
 It is tried again by itself. Another camera is chosen in Devices.</source>
-        <translation>Cherchée : %1
+        <translation>Cherchée : %1
 %2
 
 Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareils.</translation>
@@ -2927,7 +2927,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Mapping felt: a steady signal of less RMS than this is noise and stays silent.</source>
-        <translation>Conversion felt : un signal continu de valeur efficace inférieure est du bruit et reste muet.</translation>
+        <translation>Conversion felt : un signal continu de valeur efficace inférieure est du bruit et reste muet.</translation>
     </message>
     <message>
         <source>Mapping felt: largest RMS duty over a second, for the motors' heat.</source>
@@ -2935,7 +2935,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Mapping felt: stored RMS of the surface, to which the gain is fitted; 0 learns it from the touch.</source>
-        <translation>Conversion felt : valeur efficace enregistrée de la surface, à laquelle le gain est ajusté ; 0 l'apprend du toucher.</translation>
+        <translation>Conversion felt : valeur efficace enregistrée de la surface, à laquelle le gain est ajusté ; 0 l'apprend du toucher.</translation>
     </message>
     <message>
         <source>Mapping from signal to duty: so that the finger feels it, rounded alike on both sides, or as the thesis prints it.</source>
@@ -3019,7 +3019,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Missing now: %1</source>
-        <translation>Manque à présent : %1</translation>
+        <translation>Manque à présent : %1</translation>
     </message>
     <message>
         <source>Modbus TCP {}: cannot listen: {}</source>
@@ -3223,7 +3223,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>No serial port and no camera. A touchpad on the network is not searched for: enter its address. Simulated parts work without any.</source>
-        <translation>Aucun port série et aucune caméra. Un touchpad sur le réseau n’est pas cherché : entrer son adresse. Les parties simulées marchent sans.</translation>
+        <translation>Aucun port série et aucune caméra. Un touchpad sur le réseau n’est pas cherché : entrer son adresse. Les parties simulées marchent sans.</translation>
     </message>
     <message>
         <source>No session has these words.</source>
@@ -3275,7 +3275,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>None: a mean, or points without scatter.</source>
-        <translation>Aucune : une moyenne, ou des points sans dispersion.</translation>
+        <translation>Aucune : une moyenne, ou des points sans dispersion.</translation>
     </message>
     <message>
         <source>Not a directory</source>
@@ -3303,15 +3303,15 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Not connected; all is as it was. %1.</source>
-        <translation>Non connecté ; tout est comme avant. %1.</translation>
+        <translation>Non connecté ; tout est comme avant. %1.</translation>
     </message>
     <message>
         <source>Not connected; the former devices are back. %1.</source>
-        <translation>Non connecté ; les appareils précédents sont de retour. %1.</translation>
+        <translation>Non connecté ; les appareils précédents sont de retour. %1.</translation>
     </message>
     <message>
         <source>Not following: press F</source>
-        <translation>Suivi arrêté : touche F</translation>
+        <translation>Suivi arrêté : touche F</translation>
     </message>
     <message>
         <source>Not moved: %1.</source>
@@ -3343,7 +3343,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Not taken: a tare came in between. Take the point again.</source>
-        <translation>Non pris : une tare est venue entre-temps. Reprendre le point.</translation>
+        <translation>Non pris : une tare est venue entre-temps. Reprendre le point.</translation>
     </message>
     <message>
         <source>Not taken: see the entry at the left.</source>
@@ -3435,7 +3435,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Of a difference from the law: excess corrects what exceeds the lasting error, bounded twice that, at most all of it: never worse than the law alone either way.</source>
-        <translation>D'un écart à la loi : excess corrige ce qui dépasse l'erreur qui peut durer, bounded le double, au plus le tout : dans les deux cas jamais pire que la loi seule.</translation>
+        <translation>D'un écart à la loi : excess corrige ce qui dépasse l'erreur qui peut durer, bounded le double, au plus le tout : dans les deux cas jamais pire que la loi seule.</translation>
     </message>
     <message>
         <source>Off: each curve is moved and zoomed by itself (T)</source>
@@ -3547,7 +3547,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Other devices are connected: calibration points of the former ones are discarded (%1).</source>
-        <translation>D'autres appareils sont connectés : les points d'étalonnage des précédents sont écartés (%1).</translation>
+        <translation>D'autres appareils sont connectés : les points d'étalonnage des précédents sont écartés (%1).</translation>
     </message>
     <message>
         <source>Overshoot</source>
@@ -3783,7 +3783,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Puts it into the form; nothing is connected yet.</source>
-        <translation>Le met dans le formulaire ; rien n’est encore connecté.</translation>
+        <translation>Le met dans le formulaire ; rien n’est encore connecté.</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -3791,7 +3791,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Quit? Now: %1. Quitting stops the motors and closes the recording; what is not finished is lost. Ctrl+Q again quits.</source>
-        <translation>Quitter ? En ce moment : %1. Quitter arrête les moteurs et ferme l'enregistrement ; ce qui n'est pas fini est perdu. Encore Ctrl+Q quitte.</translation>
+        <translation>Quitter ? En ce moment : %1. Quitter arrête les moteurs et ferme l'enregistrement ; ce qui n'est pas fini est perdu. Encore Ctrl+Q quitte.</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -3891,7 +3891,7 @@ Un nouvel essai se fait de lui-même. Une autre caméra se choisit dans Appareil
     </message>
     <message>
         <source>Recorded with arithmetic %1, replayed with %2: the bits cannot be the same.</source>
-        <translation>Enregistré avec l'arithmétique %1, rejoué avec la %2 : les bits ne peuvent pas être les mêmes.</translation>
+        <translation>Enregistré avec l'arithmétique %1, rejoué avec la %2 : les bits ne peuvent pas être les mêmes.</translation>
     </message>
     <message>
         <source>Recording</source>
@@ -4077,7 +4077,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>Robot: %1 …</source>
-        <translation>Robot : %1 …</translation>
+        <translation>Robot : %1 …</translation>
     </message>
     <message>
         <source>Robot…</source>
@@ -4109,7 +4109,7 @@ Appuyer pour lire pourquoi</translation>
     </message>
     <message>
         <source>SIMULATED: %1</source>
-        <translation>SIMULÉ : %1</translation>
+        <translation>SIMULÉ : %1</translation>
     </message>
     <message>
         <source>Samples in a frame of dft321: more resolution for more delay.</source>
@@ -4371,7 +4371,7 @@ s</translation>
     </message>
     <message>
         <source>Simulated or mine?</source>
-        <translation>Simulé ou le mien ?</translation>
+        <translation>Simulé ou le mien ?</translation>
     </message>
     <message>
         <source>Simulated points, from the simulator's own truth and noise. No part was measured.</source>
@@ -4383,11 +4383,11 @@ s</translation>
     </message>
     <message>
         <source>Simulated: %1</source>
-        <translation>Simulé : %1</translation>
+        <translation>Simulé : %1</translation>
     </message>
     <message>
         <source>Simulated: %1. What it shows is computed in this program, not measured on a touchpad.</source>
-        <translation>Simulé : %1. Ce qui est montré est calculé dans ce programme, non mesuré sur un touchpad.</translation>
+        <translation>Simulé : %1. Ce qui est montré est calculé dans ce programme, non mesuré sur un touchpad.</translation>
     </message>
     <message>
         <source>Simulated: press on the picture, %1 deep; the wheel changes it.</source>
@@ -4769,7 +4769,7 @@ N/mm</translation>
     </message>
     <message>
         <source>That was the first touch. Esc or STOP switches the motors off; the manual (F1) explains the rest.</source>
-        <translation>C’était le premier toucher. Esc ou STOP coupe les moteurs ; le manuel (F1) explique le reste.</translation>
+        <translation>C’était le premier toucher. Esc ou STOP coupe les moteurs ; le manuel (F1) explique le reste.</translation>
     </message>
     <message>
         <source>The breakaway of both motors, and sweeps at two stretches, 10° apart, with an accelerometer.</source>
@@ -4817,11 +4817,11 @@ N/mm</translation>
     </message>
     <message>
         <source>The devices are asked first. Then the session starts anew; motors stay off until you arm. The choice is remembered.</source>
-        <translation>Les appareils sont d’abord interrogés. Puis la session recommence ; les moteurs restent coupés jusqu’à l’armement. Le choix est retenu.</translation>
+        <translation>Les appareils sont d’abord interrogés. Puis la session recommence ; les moteurs restent coupés jusqu’à l’armement. Le choix est retenu.</translation>
     </message>
     <message>
         <source>The devices of last time are not there. Looked for: %1. %2.</source>
-        <translation>Les appareils de la dernière fois ne sont pas là. Cherchés : %1. %2.</translation>
+        <translation>Les appareils de la dernière fois ne sont pas là. Cherchés : %1. %2.</translation>
     </message>
     <message>
         <source>The file before is still being written; try again.</source>
@@ -4849,7 +4849,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The former session has ended; the new one begins. Motors are off.</source>
-        <translation>La session précédente est finie ; la nouvelle commence. Les moteurs sont coupés.</translation>
+        <translation>La session précédente est finie ; la nouvelle commence. Les moteurs sont coupés.</translation>
     </message>
     <message>
         <source>The haptic loop says nothing; the last state was %1.</source>
@@ -5013,7 +5013,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The session has no devices: it is closed. Choose them beside this, and press Connect.</source>
-        <translation>La session n’a pas d’appareils : elle est fermée. Les choisir à côté et presser Connecter.</translation>
+        <translation>La session n’a pas d’appareils : elle est fermée. Les choisir à côté et presser Connecter.</translation>
     </message>
     <message>
         <source>The session is closed. %1. Choose other devices.</source>
@@ -5021,7 +5021,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The session is closed: choose devices under Devices.</source>
-        <translation>La session est fermée : choisir des appareils sous Appareils.</translation>
+        <translation>La session est fermée : choisir des appareils sous Appareils.</translation>
     </message>
     <message>
         <source>The session starts anew; parameters and tare stay. Motors stay off until you arm.</source>
@@ -5069,11 +5069,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>The touchpad answers. Calibrate its parts, so that what it shows can be trusted; motors move only while you hold a button.</source>
-        <translation>Le touchpad répond. Étalonner ses parties, pour qu’on puisse se fier à ce qu’il montre ; les moteurs ne bougent que tant qu’un bouton est maintenu.</translation>
+        <translation>Le touchpad répond. Étalonner ses parties, pour qu’on puisse se fier à ce qu’il montre ; les moteurs ne bougent que tant qu’un bouton est maintenu.</translation>
     </message>
     <message>
         <source>The touchpad is not simulated: take its points by measuring.</source>
-        <translation>Le touchpad n'est pas simulé : prendre ses points en mesurant.</translation>
+        <translation>Le touchpad n'est pas simulé : prendre ses points en mesurant.</translation>
     </message>
     <message>
         <source>The touchpad's own</source>
@@ -5125,11 +5125,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>These points were measured on another touchpad: discard them before you measure on the simulated one.</source>
-        <translation>Ces points ont été mesurés sur un autre touchpad : les écarter avant de mesurer sur le touchpad simulé.</translation>
+        <translation>Ces points ont été mesurés sur un autre touchpad : les écarter avant de mesurer sur le touchpad simulé.</translation>
     </message>
     <message>
         <source>These points were measured on the simulated touchpad: discard them before you measure on this one.</source>
-        <translation>Ces points ont été mesurés sur le touchpad simulé : les écarter avant de mesurer sur celui-ci.</translation>
+        <translation>Ces points ont été mesurés sur le touchpad simulé : les écarter avant de mesurer sur celui-ci.</translation>
     </message>
     <message>
         <source>Thesis kd</source>
@@ -5149,7 +5149,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Thesis mode: smallest dark area that counts as a touch, in pixels of its 160 × 120 picture.</source>
-        <translation>Mode thesis : plus petite surface sombre qui compte comme un toucher, en pixels de son image de 160 × 120.</translation>
+        <translation>Mode thesis : plus petite aire sombre qui compte comme un toucher, en pixels de son image de 160 × 120.</translation>
     </message>
     <message>
         <source>Thesis mode: the robot goes where the finger is, with a jump at each new touch; off: each touch moves it from where it stands.</source>
@@ -5157,11 +5157,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>They are asked again by themselves: check power and cables.</source>
-        <translation>Ils sont interrogés de nouveau d’eux-mêmes : vérifier l’alimentation et les câbles.</translation>
+        <translation>Ils sont interrogés de nouveau d’eux-mêmes : vérifier l’alimentation et les câbles.</translation>
     </message>
     <message>
         <source>They are asked again by themselves: close the other program.</source>
-        <translation>Ils sont interrogés de nouveau d’eux-mêmes : fermer l’autre programme.</translation>
+        <translation>Ils sont interrogés de nouveau d’eux-mêmes : fermer l’autre programme.</translation>
     </message>
     <message>
         <source>This angle is taken.</source>
@@ -5169,7 +5169,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>This computer opens no folder from here: %1.</source>
-        <translation>Cet ordinateur n'ouvre pas de dossier d'ici : %1.</translation>
+        <translation>Cet ordinateur n'ouvre pas de dossier d'ici : %1.</translation>
     </message>
     <message>
         <source>This computer opens no folder from here: %1. Copy path takes the file's path along.</source>
@@ -5357,7 +5357,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Use %1 as: %2</source>
-        <translation>Utiliser %1 comme : %2</translation>
+        <translation>Utiliser %1 comme : %2</translation>
     </message>
     <message>
         <source>Use a preset's values</source>
@@ -5465,7 +5465,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>What one is used as goes into the form; Connect takes it.</source>
-        <translation>Les boutons mettent l’appareil dans le formulaire ; Connecter le prend.</translation>
+        <translation>Les boutons mettent l’appareil dans le formulaire ; Connecter le prend.</translation>
     </message>
     <message>
         <source>What stands in the robot's place and is touched; "fyd scene keys" shows what it may say.</source>
@@ -5501,7 +5501,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>Whether the way to the finger was identified; the constants below are guesses otherwise.</source>
-        <translation>Si le chemin jusqu'au doigt a été identifié ; sinon les constantes ci-dessous sont des suppositions.</translation>
+        <translation>Si le chemin jusqu'au doigt a été identifié ; sinon les constantes ci-dessous sont des suppositions.</translation>
     </message>
     <message>
         <source>Who</source>
@@ -5825,7 +5825,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>angles, indentations and forces differ in number</source>
-        <translation>angles, enfoncements et forces ne sont pas en même nombre</translation>
+        <translation>angles, indentations et forces ne sont pas en même nombre</translation>
     </message>
     <message>
         <source>another console</source>
@@ -5853,7 +5853,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>any text of the header may be wrong: {}</source>
-        <translation>tout texte de l'en-tête peut être faux : {}</translation>
+        <translation>tout texte de l'en-tête peut être faux : {}</translation>
     </message>
     <message>
         <source>area</source>
@@ -5933,7 +5933,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>being written: %1</source>
-        <translation>en cours d'écriture : %1</translation>
+        <translation>en cours d'écriture : %1</translation>
     </message>
     <message>
         <source>black picture</source>
@@ -6089,7 +6089,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>catalogue '{}://…': expected sqlite:PATH, postgresql:host=… dbname=… user=…, or none</source>
-        <translation>catalogue '{}://…' : attendu sqlite:CHEMIN, postgresql:host=… dbname=… user=…, ou none</translation>
+        <translation>catalogue '{}://…' : attendu sqlite:CHEMIN, postgresql:host=… dbname=… user=…, ou none</translation>
     </message>
     <message>
         <source>catalogue: libpq cannot read the words after '{}'; expected host=… dbname=… user=…</source>
@@ -6101,11 +6101,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>changed and not saved: %1</source>
-        <translation>modifiés et non enregistrés : %1</translation>
+        <translation>modifiés et non enregistrés : %1</translation>
     </message>
     <message>
         <source>changed and not saved: %1 and %2 more</source>
-        <translation>modifiés et non enregistrés : %1 et %2 autres</translation>
+        <translation>modifiés et non enregistrés : %1 et %2 autres</translation>
     </message>
     <message>
         <source>changed since it was calibrated %1 days ago</source>
@@ -6113,11 +6113,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>changed since it was calibrated today</source>
-        <translation>modifié depuis l'étalonnage d'aujourd'hui</translation>
+        <translation>changé depuis l'étalonnage d'aujourd'hui</translation>
     </message>
     <message>
         <source>changed since it was calibrated yesterday</source>
-        <translation>modifié depuis l'étalonnage d'hier</translation>
+        <translation>changé depuis l'étalonnage d'hier</translation>
     </message>
     <message>
         <source>check the touchpad's connection</source>
@@ -6137,7 +6137,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>classic, not secured</source>
-        <translation>classique, non sécurisée</translation>
+        <translation>classique, non sécurisé</translation>
     </message>
     <message>
         <source>clipped</source>
@@ -6221,7 +6221,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>commands and counts differ in number, or there are none</source>
-        <translation>commandes et comptes ne sont pas en même nombre, ou il n'y en a pas</translation>
+        <translation>commandes et points des codeurs ne sont pas en même nombre, ou il n'y en a pas</translation>
     </message>
     <message>
         <source>commit {} of {}</source>
@@ -6365,7 +6365,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>device test {}: no test has this number</source>
-        <translation>essai d'appareil {} : aucun essai ne porte ce numéro</translation>
+        <translation>essai d'appareil {} : aucun essai ne porte ce numéro</translation>
     </message>
     <message>
         <source>device test: the session is closed</source>
@@ -6441,7 +6441,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>encoder counts {}, expected 0 to {}</source>
-        <translation>comptes des codeurs {}, attendus de 0 à {}</translation>
+        <translation>points des codeurs {}, attendus de 0 à {}</translation>
     </message>
     <message>
         <source>encoder {}</source>
@@ -6457,7 +6457,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>ended: a motor did not follow its commanded angle; check its encoder and that it can turn</source>
-        <translation>terminé : un moteur n'a pas suivi l'angle commandé ; vérifier son codeur et qu'il peut tourner</translation>
+        <translation>terminé : un moteur n'a pas suivi l'angle commandé ; vérifier son codeur et qu'il peut tourner</translation>
     </message>
     <message>
         <source>ended: the button was released</source>
@@ -6617,7 +6617,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>fine: calibrated yesterday</source>
-        <translation>bon : étalonné hier</translation>
+        <translation>bon : étalonné hier</translation>
     </message>
     <message>
         <source>finger</source>
@@ -7089,7 +7089,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>most_parts of a soft body is {}; expected 1 or more</source>
-        <translation>most_parts d'un corps mou est {} ; attendu 1 ou plus</translation>
+        <translation>most_parts d'un corps mou est {} ; attendu 1 ou plus</translation>
     </message>
     <message>
         <source>most_points of a soft body is {}; expected 3 or more</source>
@@ -7301,7 +7301,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>no ramp of motor {} with {} duty; expected each motor both ways</source>
-        <translation>pas de rampe du moteur {} à rapport cyclique {} ; chaque moteur est attendu dans les deux sens</translation>
+        <translation>pas de rampe du moteur {} à rapport cyclique {} ; chaque moteur est attendu dans les deux sens</translation>
     </message>
     <message>
         <source>no recent picture</source>
@@ -7529,23 +7529,23 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>part {}: a chirp of {} s; expected {} s and more</source>
-        <translation>partie {} : un balayage de {} s ; attendu {} s et plus</translation>
+        <translation>partie {} : un balayage de {} s ; attendu {} s et plus</translation>
     </message>
     <message>
         <source>part {}: duty of motor {} goes from {} to {} %: expected a ramp in steps of at most {} %</source>
-        <translation>partie {} : le rapport cyclique du moteur {} passe de {} à {} % : attendu une rampe par pas de {} % au plus</translation>
+        <translation>partie {} : le rapport cyclique du moteur {} passe de {} à {} % : attendu une rampe par pas de {} % au plus</translation>
     </message>
     <message>
         <source>part {}: motor {} did not turn up to a duty of {} %; expected a ramp until it turns</source>
-        <translation>partie {} : le moteur {} n'a pas tourné jusqu'à un rapport cyclique de {} % ; attendu une rampe jusqu'à ce qu'il tourne</translation>
+        <translation>partie {} : le moteur {} n'a pas tourné jusqu'à un rapport cyclique de {} % ; attendu une rampe jusqu'à ce qu'il tourne</translation>
     </message>
     <message>
         <source>part {}: motor {} moves before it has a duty</source>
-        <translation>partie {} : le moteur {} bouge avant d'avoir un rapport cyclique</translation>
+        <translation>partie {} : le moteur {} bouge avant d'avoir un rapport cyclique</translation>
     </message>
     <message>
         <source>part {}: neither a ramp of one motor nor a chirp of both with the same duty</source>
-        <translation>partie {} : ni une rampe d'un moteur ni un balayage des deux avec le même rapport cyclique</translation>
+        <translation>partie {} : ni une rampe d'un moteur ni un balayage des deux avec le même rapport cyclique</translation>
     </message>
     <message>
         <source>part {}: no acceleration_g at {} s; the chirp needs an accelerometer on the cloth: encoders, load cell and currents cannot see it</source>
@@ -7553,11 +7553,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>part {}: resonance {:.1f} ± {:.1f} Hz: not determined; expected ± {:.0f} % or better</source>
-        <translation>partie {} : résonance {:.1f} ± {:.1f} Hz : non déterminée ; attendu ± {:.0f} % ou mieux</translation>
+        <translation>partie {} : résonance {:.1f} ± {:.1f} Hz : non déterminée ; attendu ± {:.0f} % ou mieux</translation>
     </message>
     <message>
         <source>part {}: the model leaves {:.0f} % of the acceleration held out; expected at most {:.0f} %</source>
-        <translation>partie {} : le modèle laisse {:.0f} % de l'accélération mise de côté ; attendu au plus {:.0f} %</translation>
+        <translation>partie {} : le modèle laisse {:.0f} % de l'accélération mise de côté ; attendu au plus {:.0f} %</translation>
     </message>
     <message>
         <source>parts missing</source>
@@ -7605,7 +7605,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>period {} ms: {:.0f} messages in {} s; expected at most {}: take a longer period or less of the trace</source>
-        <translation>période {} ms : {:.0f} messages en {} s ; attendu : {} au plus ; prendre une période plus longue ou moins de la trace</translation>
+        <translation>période {} ms : {:.0f} messages en {} s ; attendu : {} au plus ; prendre une période plus longue ou moins de la trace</translation>
     </message>
     <message>
         <source>picture and target are mirror images; if the camera shows no mirrored picture, the signs of y_mm are wrong: it grows to the back, upward in the picture</source>
@@ -7625,7 +7625,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>ply header, line {} "{}": expected format 1.0, then elements vertex (x, y, z, each float or double) and face (a list vertex_indices, uchar int) with the types of their properties</source>
-        <translation>en-tête ply, ligne {} "{}" : attendu format 1.0, puis les éléments vertex (x, y, z, chacun float ou double) et face (une list vertex_indices, uchar int) avec les types de leurs propriétés</translation>
+        <translation>en-tête ply, ligne {} "{}" : attendu format 1.0, puis les éléments vertex (x, y, z, chacun float ou double) et face (une list vertex_indices, uchar int) avec les types de leurs propriétés</translation>
     </message>
     <message>
         <source>png: the picture could not be made</source>
@@ -7701,7 +7701,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>probe: {} is {}; expected a number above 0</source>
-        <translation>sonde : {} vaut {} ; attendu un nombre supérieur à 0</translation>
+        <translation>sonde : {} vaut {} ; attendu un nombre supérieur à 0</translation>
     </message>
     <message>
         <source>proposed</source>
@@ -7769,7 +7769,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>recording of {} Hz at {} mm/s: no band of it can stand in a surface model</source>
-        <translation>enregistrement de {} Hz à {} mm/s : aucune de ses bandes ne peut figurer dans un modèle de surface</translation>
+        <translation>enregistrement de {} Hz à {} mm/s : aucune de ses bandes ne peut figurer dans un modèle de surface</translation>
     </message>
     <message>
         <source>recording of {} samples: expected at least {}</source>
@@ -7805,7 +7805,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>recording: {} g around {} Hz: expected at most {} g</source>
-        <translation>enregistrement : {} g autour de {} Hz : attendu au plus {} g</translation>
+        <translation>enregistrement : {} g autour de {} Hz : attendu au plus {} g</translation>
     </message>
     <message>
         <source>reference</source>
@@ -7881,7 +7881,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>robot end: known stiffness {} N/mm; expected 0 or more</source>
-        <translation>côté robot : raideur connue {} N/mm ; attendu 0 ou plus</translation>
+        <translation>côté robot : raideur connue {} N/mm ; attendu 0 ou plus</translation>
     </message>
     <message>
         <source>robot end: the touchpad's address {} has no port to call</source>
@@ -8021,7 +8021,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>session '': an empty id names no session</source>
-        <translation>session '' : un identifiant vide ne désigne aucune session</translation>
+        <translation>session '' : un identifiant vide ne désigne aucune session</translation>
     </message>
     <message>
         <source>session '{}': not in {}</source>
@@ -8193,7 +8193,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>subject "{}": expected a code of letters, digits, - and _ such as S07, at most {} characters; never a name</source>
-        <translation>sujet "{}" : attendu un code de lettres, chiffres, - et _ comme S07, au plus {} caractères ; jamais un nom</translation>
+        <translation>sujet "{}" : attendu un code de lettres, chiffres, - et _ comme S07, au plus {} caractères ; jamais un nom</translation>
     </message>
     <message>
         <source>subject %1</source>
@@ -8265,7 +8265,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>tension ratio %1 ± %2</source>
-        <translation>rapport des tensions %1 ± %2</translation>
+        <translation>rapport de tension %1 ± %2</translation>
     </message>
     <message>
         <source>the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant</source>
@@ -8393,7 +8393,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the motors are in use: stop the session first</source>
-        <translation>les moteurs sont utilisés : arrêter d'abord la session</translation>
+        <translation>les moteurs sont utilisés : arrêter d'abord la session</translation>
     </message>
     <message>
         <source>the motors are silent</source>
@@ -8425,7 +8425,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the picture is frozen: the camera sends the same one again and again; unplug it and plug it in again</source>
-        <translation>l'image est figée : la caméra envoie toujours la même ; la débrancher et la rebrancher</translation>
+        <translation>l'image est figée : la caméra envoie toujours la même ; la débrancher et la rebrancher</translation>
     </message>
     <message>
         <source>the ply header does not end</source>
@@ -8433,7 +8433,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>the points at {:.3g} deg cannot be predicted from the others: press there again, to different depths</source>
-        <translation>les points à {:.3g}° ne peuvent être prédits à partir des autres : presser encore là, à des profondeurs différentes</translation>
+        <translation>les points à {:.3g}° ne peuvent être prédits à partir des autres : presser encore là, à des profondeurs différentes</translation>
     </message>
     <message>
         <source>the points do not tell the unknowns apart (condition number {:.3g})</source>
@@ -8653,7 +8653,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>this computer was late: {:.1f} % of the haptic cycles of that second were missed, longest gap {:.0f} ms; close other programs</source>
-        <translation>cet ordinateur était en retard : {:.1f} % des cycles haptiques de cette seconde manqués, plus long écart {:.0f} ms ; fermer d'autres programmes</translation>
+        <translation>cet ordinateur était en retard : {:.1f} % des cycles haptiques de cette seconde manqués, plus long écart {:.0f} ms ; fermer d'autres programmes</translation>
     </message>
     <message>
         <source>this part was never calibrated: accept a calibration first</source>
@@ -8745,7 +8745,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>touchpad '{}': expected simulated, serial:NUMBER of 1 to {} characters, or its address</source>
-        <translation>touchpad '{}' : attendu simulated, serial:NUMÉRO de 1 à {} caractères, ou son adresse</translation>
+        <translation>touchpad '{}' : attendu simulated, serial:NUMÉRO de 1 à {} caractères, ou son adresse</translation>
     </message>
     <message>
         <source>touchpad at {}</source>
@@ -8981,7 +8981,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>x %1 mm   y %2 mm   area %3 mm²</source>
-        <translation>x %1 mm   y %2 mm   surface %3 mm²</translation>
+        <translation>x %1 mm   y %2 mm   aire %3 mm²</translation>
     </message>
     <message>
         <source>x %1 px, y %2 px</source>
@@ -9077,7 +9077,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} axes; expected 1 to {}</source>
-        <translation>{} axes ; attendu de 1 à {}</translation>
+        <translation>{} axes ; attendu de 1 à {}</translation>
     </message>
     <message>
         <source>{} by the operator. Motors are off. Arm to start again.</source>
@@ -9185,11 +9185,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} parameters change with the first step, those of the recording included; a step takes at most {}: set fewer at once</source>
-        <translation>{} paramètres changent avec le premier pas, ceux de l'enregistrement compris ; un pas en prend au plus {} : en régler moins à la fois</translation>
+        <translation>{} paramètres changent avec le premier pas, ceux de l'enregistrement compris ; un pas en prend au plus {} : en régler moins à la fois</translation>
     </message>
     <message>
         <source>{} points at {:.3g} deg are at least {:g} mm deep; expected at least {}: press there again, to different depths</source>
-        <translation>{} points à {:.3g}° ont au moins {:g} mm de profondeur ; il en faut au moins {} : presser encore là, à des profondeurs différentes</translation>
+        <translation>{} points à {:.3g}° ont au moins {:g} mm de profondeur ; il en faut au moins {} : presser encore là, à des profondeurs différentes</translation>
     </message>
     <message>
         <source>{} points for a {}; expected at least {}</source>
@@ -9209,7 +9209,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} positions for {} times; expected one for each</source>
-        <translation>{} positions pour {} temps ; une attendue pour chacun</translation>
+        <translation>{} positions pour {} temps ; une attendue pour chacun</translation>
     </message>
     <message>
         <source>{} presses; at most {}: take the mean of each press</source>
@@ -9237,7 +9237,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{} s from the first row to the last; expected at most {}: are the times in seconds?</source>
-        <translation>{} s de la première ligne à la dernière ; attendu : {} au plus ; les temps sont-ils en secondes ?</translation>
+        <translation>{} s de la première ligne à la dernière ; attendu : {} au plus ; les temps sont-ils en secondes ?</translation>
     </message>
     <message>
         <source>{} samples; expected at least {}: wait longer</source>
@@ -9389,7 +9389,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: an export would end before the recording does; `fyd session recover` makes what can be proven whole first, or export up to an earlier second than {:.3f}</source>
-        <translation>{} : un export finirait avant l'enregistrement ; `fyd session recover` rend d'abord entier ce qui peut être prouvé, ou exportez jusqu'à une seconde antérieure à {:.3f}</translation>
+        <translation>{} : un export finirait avant l'enregistrement ; `fyd session recover` rend d'abord entier ce qui peut être prouvé, ou exportez jusqu'à une seconde antérieure à {:.3f}</translation>
     </message>
     <message>
         <source>{}: another recording has this name now; open it again</source>
@@ -9413,7 +9413,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: belongs to another user (uid {}, gid {}), who would lose it; choose another name</source>
-        <translation>{} : appartient à un autre utilisateur (uid {}, gid {}), qui le perdrait ; choisissez un autre nom</translation>
+        <translation>{} : appartient à un autre utilisateur (uid {}, gid {}), qui le perdrait ; choisissez un autre nom</translation>
     </message>
     <message>
         <source>{}: body.contact: a soft body has its own; expected none beside body.soft</source>
@@ -9465,7 +9465,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: cannot be read: it is no file</source>
-        <translation>{} : illisible : ce n'est pas un fichier</translation>
+        <translation>{} : illisible : ce n'est pas un fichier</translation>
     </message>
     <message>
         <source>{}: cannot be read: {}</source>
@@ -9609,19 +9609,19 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: is a device, not a file</source>
-        <translation>{} : c'est un périphérique, pas un fichier</translation>
+        <translation>{} : c'est un périphérique, pas un fichier</translation>
     </message>
     <message>
         <source>{}: is a folder, not a file</source>
-        <translation>{} : c'est un dossier, pas un fichier</translation>
+        <translation>{} : c'est un dossier, pas un fichier</translation>
     </message>
     <message>
         <source>{}: is a pipe, not a file</source>
-        <translation>{} : c'est un tube, pas un fichier</translation>
+        <translation>{} : c'est un tube, pas un fichier</translation>
     </message>
     <message>
         <source>{}: is a socket, not a file</source>
-        <translation>{} : c'est un socket, pas un fichier</translation>
+        <translation>{} : c'est un socket, pas un fichier</translation>
     </message>
     <message>
         <source>{}: is another program's database; expected a catalogue, or a new file</source>
@@ -9649,7 +9649,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: is {} itself under another name, not a copy; nothing was removed</source>
-        <translation>{} : est {} lui-même sous un autre nom, pas une copie ; rien n'a été supprimé</translation>
+        <translation>{} : est {} lui-même sous un autre nom, pas une copie ; rien n'a été supprimé</translation>
     </message>
     <message>
         <source>{}: it is not the file any more that was written</source>
@@ -9665,7 +9665,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: its links run in a circle</source>
-        <translation>{} : ses liens tournent en rond</translation>
+        <translation>{} : ses liens tournent en rond</translation>
     </message>
     <message>
         <source>{}: its mesh is not walkable; expected one for a rigid body</source>
@@ -9733,7 +9733,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: no picture can be made</source>
-        <translation>{} : aucune image ne peut être faite</translation>
+        <translation>{} : aucune image ne peut être faite</translation>
     </message>
     <message>
         <source>{}: no picture of this format can be made</source>
@@ -9761,7 +9761,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: no {}; expected {}</source>
-        <translation>{} : {} manque ; attendu {}</translation>
+        <translation>{} : {} manque ; attendu {}</translation>
     </message>
     <message>
         <source>{}: not UTF-8</source>
@@ -9841,7 +9841,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: notes of another recording of this name; move them away, or choose another name</source>
-        <translation>{} : notes d'un autre enregistrement de ce nom ; les déplacer, ou choisir un autre nom</translation>
+        <translation>{} : notes d'un autre enregistrement de ce nom ; les déplacer, ou choisir un autre nom</translation>
     </message>
     <message>
         <source>{}: nothing more can be recorded: {}</source>
@@ -9877,7 +9877,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: reads differently each time; copy it to another disk first</source>
-        <translation>{} : chaque lecture donne autre chose ; copiez-le d'abord sur un autre disque</translation>
+        <translation>{} : chaque lecture donne autre chose ; copiez-le d'abord sur un autre disque</translation>
     </message>
     <message>
         <source>{}: refused, nothing is saved: {}</source>
@@ -9905,7 +9905,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: row {} says that its text begins at byte {}; expected {} or more, behind the text before it</source>
-        <translation>{} : la ligne {} dit que son texte commence à l'octet {} ; attendu {} ou plus, derrière le texte qui précède</translation>
+        <translation>{} : la ligne {} dit que son texte commence à l'octet {} ; attendu {} ou plus, derrière le texte qui précède</translation>
     </message>
     <message>
         <source>{}: rows from {} on are packed otherwise</source>
@@ -9941,7 +9941,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: says to be {} bytes, while {} stand in the file of {} bytes</source>
-        <translation>{} : dit faire {} octets, alors que {} se trouvent dans le fichier de {} octets</translation>
+        <translation>{} : dit faire {} octets, alors que {} se trouvent dans le fichier de {} octets</translation>
     </message>
     <message>
         <source>{}: scene.accuracy "{}": expected a share such as "1%", above 0 and up to 100%</source>
@@ -10129,11 +10129,11 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: writing failed: {}; nothing is left of it</source>
-        <translation>{} : l'écriture a échoué : {} ; il n'en reste rien</translation>
+        <translation>{} : l'écriture a échoué : {} ; il n'en reste rien</translation>
     </message>
     <message>
         <source>{}: writing failed: {}; the file stays as it was</source>
-        <translation>{} : l'écriture a échoué : {} ; le fichier reste tel quel</translation>
+        <translation>{} : l'écriture a échoué : {} ; le fichier reste tel quel</translation>
     </message>
     <message>
         <source>{}: writing {} failed; is the disk full?</source>
@@ -10193,7 +10193,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: {} bytes, expected at most {}</source>
-        <translation>{} : {} octets, au plus {} attendus</translation>
+        <translation>{} : {} octets, au plus {} attendus</translation>
     </message>
     <message>
         <source>{}: {} bytes; expected {}</source>
@@ -10245,7 +10245,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: {} with {} values: expected one number, or one for each of {} motors</source>
-        <translation>{} : {} avec {} valeurs : attendu un nombre, ou un pour chacun des {} moteurs</translation>
+        <translation>{} : {} avec {} valeurs : attendu un nombre, ou un pour chacun des {} moteurs</translation>
     </message>
     <message>
         <source>{}: {} without '{}'</source>
@@ -10269,7 +10269,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: {}: expected true or false</source>
-        <translation>{} : {} : attendu true ou false</translation>
+        <translation>{} : {} : attendu true ou false</translation>
     </message>
     <message>
         <source>{}: {}; the recording stays at {}</source>
@@ -10277,7 +10277,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: {}; {}. Then re-arm.</source>
-        <translation>{} : {} ; {}. Puis réarmer.</translation>
+        <translation>{} : {} ; {}. Puis réarmer.</translation>
     </message>
     <message>
         <source>{}: {}{}: expected a number from {} to {}</source>
@@ -10285,7 +10285,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}: {}{}: expected {}</source>
-        <translation>{} : {}{} : attendu {}</translation>
+        <translation>{} : {}{} : attendu {}</translation>
     </message>
     <message>
         <source>{}:1: format = "{}": expected "{}"</source>
@@ -10293,7 +10293,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}:{}: a key of more than {} parts; expected a table and a name</source>
-        <translation>{}:{} : une clé de plus de {} parties ; attendu une table et un nom</translation>
+        <translation>{}:{} : une clé de plus de {} parties ; attendu une table et un nom</translation>
     </message>
     <message>
         <source>{}:{}: column '{}' stands there more than once; expected each name once</source>
@@ -10309,7 +10309,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}:{}: more than {} columns; expected a table of measurements</source>
-        <translation>{}:{} : plus de {} colonnes ; attendu : un tableau de mesures</translation>
+        <translation>{}:{} : plus de {} colonnes ; attendu : un tableau de mesures</translation>
     </message>
     <message>
         <source>{}:{}: no column '{}'; expected {}</source>
@@ -10341,7 +10341,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}:{}: {} = {}: expected a number from {} to {}</source>
-        <translation>{}:{} : {} = {} : attendu un nombre de {} à {}</translation>
+        <translation>{}:{} : {} = {} : attendu un nombre de {} à {}</translation>
     </message>
     <message>
         <source>{}:{}: {} fields; the header has {}</source>
@@ -10353,7 +10353,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}:{}: {} ms after the row before; expected a row each millisecond</source>
-        <translation>{}:{} : {} ms après la ligne précédente ; attendu une ligne par milliseconde</translation>
+        <translation>{}:{} : {} ms après la ligne précédente ; attendu une ligne par milliseconde</translation>
     </message>
     <message>
         <source>{}:{}: {} of x_mm, y_mm, z_mm are NaN; all three mean a lifted finger, otherwise none may be</source>
@@ -10385,7 +10385,7 @@ Pour commencer : %1</translation>
     </message>
     <message>
         <source>{}; the former devices could not be had again either: {}</source>
-        <translation>{} ; les appareils précédents n’ont pas pu être repris non plus : {}</translation>
+        <translation>{} ; les appareils précédents n’ont pas pu être repris non plus : {}</translation>
     </message>
     <message>
         <source>{}; the former session could not be had again either: {}</source>

@@ -507,7 +507,7 @@
     </message>
     <message>
         <source>A drag in the picture moves the haptic point instead of turning the scene; wheel or Shift: nearer or farther. Without this button: Ctrl and drag.</source>
-        <translation>Trascinando nell’immagine si muove il punto aptico invece di girare la scena; rotella o Maiusc: più vicino o più lontano. Senza questo pulsante: Ctrl e trascinare.</translation>
+        <translation>Trascinando nell’immagine si muove il punto aptico invece di girare la scena; rotella o Shift: più vicino o più lontano. Senza questo pulsante: Ctrl e trascinare.</translation>
     </message>
     <message>
         <source>A held button moves the motors: %1.</source>
@@ -1355,7 +1355,7 @@
     </message>
     <message>
         <source>Contact mode: what the cloth's formula leaves of each sensor's share, as a part of the indentation.</source>
-        <translation>Modo contact: ciò che la formula del tessuto lascia nella quota di ogni sensore, come parte dell'affondamento.</translation>
+        <translation>Modo contact: ciò che la formula del tessuto lascia nella quota di ogni sensore, come parte dell'indentazione.</translation>
     </message>
     <message>
         <source>Contact radius share</source>
@@ -1653,15 +1653,15 @@ Ctrl e rotella per allungare questa curva, doppio clic per tutta la sessione.</t
     </message>
     <message>
         <source>Drag: touch · Shift or wheel: depth · right button: move</source>
-        <translation>Trascina: tocca · Maiusc o rotella: profondità · tasto destro: sposta</translation>
+        <translation>Trascina: tocca · Shift o rotella: profondità · tasto destro: sposta</translation>
     </message>
     <message>
         <source>Drag: turn · Shift: move · wheel: zoom</source>
-        <translation>Trascinare: girare · Maiusc: spostare · rotella: ingrandire</translation>
+        <translation>Trascina: gira · Shift: sposta · rotella: zoom</translation>
     </message>
     <message>
         <source>Drag: turn · Shift: move · wheel: zoom · Ctrl: touch</source>
-        <translation>Trascina: gira · Maiusc: sposta · rotella: zoom · Ctrl: tocca</translation>
+        <translation>Trascina: gira · Shift: sposta · rotella: zoom · Ctrl: tocca</translation>
     </message>
     <message>
         <source>Drawn faint. Choose a touch of each to lay one on the other.</source>
@@ -2745,11 +2745,11 @@ s</translation>
     </message>
     <message>
         <source>Listen on</source>
-        <translation>In ascolto su</translation>
+        <translation>Ascolta su</translation>
     </message>
     <message>
         <source>Listening on</source>
-        <translation>Ascolta su</translation>
+        <translation>In ascolto su</translation>
     </message>
     <message>
         <source>Lists serial ports and cameras as "fyd devices" does. Nothing that is in use is disturbed.</source>
@@ -6113,11 +6113,11 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>changed since it was calibrated today</source>
-        <translation>cambiata dopo la calibrazione di oggi</translation>
+        <translation>cambiato dopo la calibrazione di oggi</translation>
     </message>
     <message>
         <source>changed since it was calibrated yesterday</source>
-        <translation>cambiata dopo la calibrazione di ieri</translation>
+        <translation>cambiato dopo la calibrazione di ieri</translation>
     </message>
     <message>
         <source>check the touchpad's connection</source>
@@ -6789,7 +6789,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>held-out error {} of at most {:g} deg</source>
-        <translation>errore di verifica {} su al più {:g} deg</translation>
+        <translation>errore di verifica {} su al più {:g}°</translation>
     </message>
     <message>
         <source>held-out error {} of at most {:g} mm</source>
@@ -8265,7 +8265,7 @@ Per cominciare: %1</translation>
     </message>
     <message>
         <source>tension ratio %1 ± %2</source>
-        <translation>rapporto delle tensioni %1 ± %2</translation>
+        <translation>rapporto di tensione %1 ± %2</translation>
     </message>
     <message>
         <source>the axes stand {:.1f} deg from a right angle: the camera looks at the cloth aslant</source>

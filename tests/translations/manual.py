@@ -18,6 +18,8 @@ from pathlib import Path
 # What a language's contents page says of a page that is in English only.
 ENGLISH_ONLY = {"it": "in inglese", "fr": "en anglais"}
 STAMP = "<!-- translated from: %s -->"
+# Keys of a shortcut, as Qt and so the window's menus name them.
+KEYS = {"Invio": "Return", "Maj": "Shift", "Retour": "Return", "Effacement": "Backspace"}
 EMPHASIS = re.compile(r"\*\*(?!\s)([^*]+?)\*\*|(?<![\w*])\*(?![\s*])([^*]+?)\*")
 
 
@@ -112,6 +114,10 @@ def differences(what, english, translated):
         yield f"{what} not in the English page: " + ", ".join(map(repr, extra.elements()))
 
 
+def english_keys(code):
+    return "+".join(KEYS.get(key, key) for key in code.split("+")) if re.fullmatch(r"(\w+\+)*\w+", code) else code
+
+
 def window_words(root, language):
     """English text of the window -> how the window says it in the language."""
     out = collections.defaultdict(set)
@@ -128,7 +134,7 @@ def parts_of(emphasised):
 
 
 def section_faults(english, translated, words):
-    yield from differences("code", english.code, translated.code)
+    yield from differences("code", english.code, map(english_keys, translated.code))
     yield from differences("link or picture", english.links, translated.links)
     yield from differences("number in the text", english.numbers, translated.numbers)
     if len(english.parts) != len(translated.parts):

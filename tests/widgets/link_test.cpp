@@ -246,7 +246,7 @@ class LinkTest : public QObject {
                                 .figures = QStringLiteral("1000 Hz · 12 ms"),
                                 .health = widgets::PartView::Health::well};
     const widgets::PartView link{.name = QStringLiteral("Liaison"),
-                                 .figures = QStringLiteral("classique, non sécurisée"),
+                                 .figures = QStringLiteral("classique, non sécurisé"),
                                  .health = widgets::PartView::Health::well};
     parts.setParts({pad, link});
     parts.resize(2000, 24);
