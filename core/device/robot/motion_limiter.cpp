@@ -34,25 +34,32 @@ MotionLimiter::MotionLimiter(const MotionLimits& limits)
     : limits_(limits),
       axis_limits_{.speed = limits.speed_mm_s / std::numbers::sqrt3,
                    .acceleration = limits.acceleration_mm_s2 / std::numbers::sqrt3,
-                   .jerk = limits.jerk_mm_s3 / std::numbers::sqrt3} {}
+                   .jerk = limits.jerk_mm_s3 / std::numbers::sqrt3} {
+  reset({});
+}
 
 void MotionLimiter::reset(const Vec3& position_mm) {
   if (!position_mm.finite()) return;
   axes_ = {AxisState{.position = position_mm.x}, AxisState{.position = position_mm.y},
            AxisState{.position = position_mm.z}};
+  const Vec3& w = limits_.workspace_mm;
+  const auto room = [](double place, double edge) {
+    return Room{.low = std::min(-edge, place), .high = std::max(edge, place)};
+  };
+  rooms_ = {room(position_mm.x, w.x), room(position_mm.y, w.y), room(position_mm.z, w.z)};
   goal_mm_ = position_mm;
   position_mm_ = position_mm;
 }
 
 void MotionLimiter::stand() { reset(Vec3(position_mm_)); }
 
-AxisState MotionLimiter::next(const AxisState& axis, double goal, double wanted, double velocity, double edge,
+AxisState MotionLimiter::next(const AxisState& axis, double goal, double wanted, double velocity, const Room& room,
                               double tick_s) const {
   if (velocity != 0.0 && goal == wanted) {
     const AxisState met =
         meet(axis, goal, std::clamp(velocity, -axis_limits_.speed, axis_limits_.speed), axis_limits_, tick_s);
-    // From each state a stop within the workspace is possible.
-    if (std::abs(restPlace(met, axis_limits_)) <= edge) return met;
+    // From each state a stop within the room is possible.
+    if (room.holds(restPlace(met, axis_limits_))) return met;
   }
   return approach(axis, goal, axis_limits_, tick_s);
 }
@@ -60,19 +67,17 @@ AxisState MotionLimiter::next(const AxisState& axis, double goal, double wanted,
 const Vec3& MotionLimiter::advance(const Vec3& target_mm, double tick_s, const Vec3& velocity_mm_s) {
   Vec3 wanted_mm = goal_mm_;
   Vec3 velocity{};
-  const Vec3& w = limits_.workspace_mm;
   if (target_mm.finite()) {
     wanted_mm = target_mm;
     if (velocity_mm_s.finite()) velocity = velocity_mm_s;
-    goal_mm_ = {std::clamp(target_mm.x, -w.x, w.x), std::clamp(target_mm.y, -w.y, w.y),
-                std::clamp(target_mm.z, -w.z, w.z)};
+    goal_mm_ = {rooms_[0].nearest(target_mm.x), rooms_[1].nearest(target_mm.y), rooms_[2].nearest(target_mm.z)};
   } else {
     ++refused_;
   }
   const double tick = tickOf(tick_s);
-  axes_[0] = next(axes_[0], goal_mm_.x, wanted_mm.x, velocity.x, w.x, tick);
-  axes_[1] = next(axes_[1], goal_mm_.y, wanted_mm.y, velocity.y, w.y, tick);
-  axes_[2] = next(axes_[2], goal_mm_.z, wanted_mm.z, velocity.z, w.z, tick);
+  axes_[0] = next(axes_[0], goal_mm_.x, wanted_mm.x, velocity.x, rooms_[0], tick);
+  axes_[1] = next(axes_[1], goal_mm_.y, wanted_mm.y, velocity.y, rooms_[1], tick);
+  axes_[2] = next(axes_[2], goal_mm_.z, wanted_mm.z, velocity.z, rooms_[2], tick);
   return take();
 }
 
@@ -82,7 +87,20 @@ const Vec3& MotionLimiter::brake(double tick_s) {
   return take();
 }
 
+/// An axis that has come into the workspace, and will stop in it, stays in it.
+void MotionLimiter::narrow(std::size_t axis, double edge, double& goal) {
+  Room& room = rooms_[axis];
+  const Room inside{.low = -edge, .high = edge};
+  if (inside.holds(room.low) && inside.holds(room.high)) return;
+  if (!inside.holds(axes_[axis].position) || !inside.holds(restPlace(axes_[axis], axis_limits_))) return;
+  room = inside;
+  goal = inside.nearest(goal);
+}
+
 const Vec3& MotionLimiter::take() {
+  narrow(0, limits_.workspace_mm.x, goal_mm_.x);
+  narrow(1, limits_.workspace_mm.y, goal_mm_.y);
+  narrow(2, limits_.workspace_mm.z, goal_mm_.z);
   position_mm_ = {axes_[0].position, axes_[1].position, axes_[2].position};
   return position_mm_;
 }

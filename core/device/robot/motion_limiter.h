@@ -5,10 +5,13 @@
 //
 // Each axis follows its goal (the target, clamped to the workspace) with its share 1/√3 of the three limits, so that
 // the vectors stay within them; see axis_motion.h. It reaches a target at rest without overshoot, meets a moving one,
-// and never leaves the workspace.
+// and never leaves the workspace. An axis that begins outside of it is not driven back: it may go where its target
+// leads it, no further out than where it stood, until it has come inside.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/base/error.h"
@@ -50,13 +53,22 @@ class MotionLimiter {
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
 
  private:
-  [[nodiscard]] AxisState next(const AxisState& axis, double goal, double wanted, double velocity, double edge,
+  /// Where an axis may go: the workspace, and as far beyond it as the axis stood.
+  struct Room {
+    double low = 0.0, high = 0.0;
+    [[nodiscard]] double nearest(double place) const { return std::clamp(place, low, high); }
+    [[nodiscard]] bool holds(double place) const { return place >= low && place <= high; }
+  };
+
+  [[nodiscard]] AxisState next(const AxisState& axis, double goal, double wanted, double velocity, const Room& room,
                                double tick_s) const;
+  void narrow(std::size_t axis, double edge, double& goal);
   const Vec3& take();
 
   MotionLimits limits_;
   AxisLimits axis_limits_;
   std::array<AxisState, 3> axes_{};
+  std::array<Room, 3> rooms_{};
   Vec3 goal_mm_;
   Vec3 position_mm_;
   std::uint64_t refused_ = 0;

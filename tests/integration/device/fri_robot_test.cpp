@@ -224,6 +224,26 @@ TEST_F(Fri, CommandModeThatBeginsAnewHoldsWhereTheControllerThenStands) {
   EXPECT_EQ(robot->counters().command_entries, 2U);
 }
 
+// The workspace ends 70 mm below the first place.
+TEST_F(Fri, AnArmThatWasMovedOutOfTheWorkspaceStaysThereUntilItIsLed) {
+  open();
+  measurement.state = FriState::monitor;
+  EXPECT_FALSE(cycle());
+  measurement.commanded_frame[11] -= 0.1F;
+  measurement.frame = measurement.commanded_frame;
+  const protocol::FriFrame found = measurement.commanded_frame;
+  measurement.state = FriState::command;
+  EXPECT_FALSE(cycle());
+  const auto readings = cycle();
+  ASSERT_TRUE(readings);
+  cycles(200, *readings->commanded_mm);
+  EXPECT_NEAR(command.frame[11], found[11], 1e-7);
+  cycles(200, {0, 0, -150});
+  EXPECT_NEAR(command.frame[11], found[11], 1e-7) << "no further out";
+  cycles(300, {0, 0, -50});
+  EXPECT_NEAR(command.frame[11], 0.3 - 0.05, 1e-6);
+}
+
 TEST_F(Fri, ACommandedFrameFarFromTheMeasuredOneIsNotTrusted) {
   open();
   measurement.state = FriState::command;

@@ -230,6 +230,43 @@ TEST(MotionLimiter, StartsFromWhereTheArmStandsEvenOutsideTheWorkspace) {
   EXPECT_NEAR(limiter.position_mm().x, 0.0, 1e-9);
 }
 
+// A tool that was moved by hand: 175 mm to one side, 100 mm deeper than the start.
+TEST(MotionLimiter, AnArmThatStandsOutsideTheWorkspaceStaysUntilItsTargetLeadsItAndGoesNoFurtherOut) {
+  const Vec3 found{175, 0, -100};
+  MotionLimiter limiter;
+  limiter.reset(found);
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(limiter.advance(found, 0.001), found);
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(limiter.advance({400, 0, -300}, 0.001, {100, 0, -100}), found);
+  for (int i = 0; i < 2000; ++i) limiter.advance({100, 0, -90}, 0.001);
+  EXPECT_NEAR((limiter.position_mm() - Vec3{100, 0, -90}).norm(), 0.0, 1e-9);
+  for (int i = 0; i < 2000; ++i) limiter.advance({400, 0, -300}, 0.001);
+  EXPECT_NEAR((limiter.position_mm() - found).norm(), 0.0, 1e-9) << "as far as where it stood";
+}
+
+TEST(MotionLimiter, AnArmThatCameIntoTheWorkspaceStaysInIt) {
+  MotionLimiter limiter;
+  limiter.reset({-80, 0, 0});
+  double fastest_mm_s = 0.0;
+  const auto go = [&](double x, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      const double before = limiter.position_mm().x;
+      fastest_mm_s = std::max(fastest_mm_s, std::abs(limiter.advance({x, 0, 0}, 0.001).x - before) / 0.001);
+    }
+  };
+  go(0, 2000);
+  EXPECT_NEAR(limiter.position_mm().x, 0.0, 1e-9);
+  go(-80, 2000);
+  EXPECT_NEAR(limiter.position_mm().x, -35.0, 1e-9);
+  EXPECT_LE(fastest_mm_s, 250.0 / std::sqrt(3.0) * (1 + 1e-9));
+  // Turned outwards while its braking brings it inside: the goal beyond the edge goes with the room there.
+  limiter.reset({-40, 0, 0});
+  go(30, 60);
+  go(-40, 1);
+  EXPECT_LT(limiter.position_mm().x, -35.0);
+  go(kNaN, 1000);
+  EXPECT_NEAR(limiter.position_mm().x, -35.0, 1e-9);
+}
+
 TEST(MotionLimiter, WrongLimitsAreRefusedWithTheirValue) {
   const auto message = [](const MotionLimits& limits) {
     const auto good = checkLimits(limits);
