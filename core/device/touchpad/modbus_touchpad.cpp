@@ -207,21 +207,27 @@ Result<void> ModbusTouchpad::transact() {
   return fail("{}: {}, {} times in a row", link_.name(), describe(protocol::StateProblem::torn, state_), kAttempts);
 }
 
+/// Behind an adapter that stays plugged in, another touchpad, or the same one without its settings, answers on the open
+/// connection. The next exchange identifies it, before anything of it is believed.
+Result<void> ModbusTouchpad::checkClock(Instant now) {
+  if (!last_uptime_us_ || !deviceRestarted(*last_uptime_us_, state_.uptime_us, now - last_answer_)) return {};
+  ++counters_.restarts;
+  const Message restarted = say("the touchpad restarted");
+  if (arming_ != Arming::off) {
+    arming_ = Arming::refused;
+    refusal_ = restarted;
+  }
+  link_.close();
+  return fail(about(link_.name(), restarted));
+}
+
 void ModbusTouchpad::take(Instant now) {
-  const bool first = !last_uptime_us_.has_value();
   // Encoders, currents and duties have no count of their own: they get the age of the set of values they belong to.
   const bool new_set =
       !last_set_ || (state_.sequence != last_set_->sequence && state_.uptime_us != last_set_->uptime_us);
   last_set_ = {.sequence = state_.sequence, .uptime_us = state_.uptime_us};
   if (new_set) last_new_set_ = now;
   stands_still_ = now - last_new_set_ > kLongestStandstill;
-  if (!first && deviceRestarted(*last_uptime_us_, state_.uptime_us, now - last_answer_)) {
-    ++counters_.restarts;
-    if (arming_ != Arming::off) {
-      arming_ = Arming::refused;
-      refusal_ = say("the touchpad restarted");
-    }
-  }
   // Dated with the sending of the request: a reading is never younger than its date.
   const bool ir_news = readings_.ir.count == 0 || state_.ir_count != last_ir_count_;
   const bool bridge_news = readings_.bridge.count == 0 || state_.bridge_count != last_bridge_count_;
@@ -249,6 +255,7 @@ Result<TouchpadReadings> ModbusTouchpad::exchange(const control::MotorCommand& c
   const auto done = transact();
   command_.duties.clear();
   if (!done) return lost(done.error());
+  if (const auto same = checkClock(now); !same) return lost(same.error());
   followDrive(protocol::driveStateOf(state_.status_word).value_or(DriveState::not_ready_to_switch_on));
   followObedience();
   take(now);

@@ -5,6 +5,8 @@
 // off until the command has been inactive. Until then their readings are withheld, so that the step holds. They are
 // withheld as well while the device reports that it does not obey (bit 9 of the status word), and while its set of
 // values is not renewed.
+//
+// A device whose clock restarted is identified and set up anew, also on a line that stayed open: it may be another one.
 #pragma once
 
 #include <optional>
@@ -37,8 +39,10 @@ class ModbusTouchpad final : public Touchpad {
   ~ModbusTouchpad() override;
 
   [[nodiscard]] Message description() const override;
-  /// Opens and identifies the device first when that is to be done. Blocks for the response time-out at most, twice
-  /// when it opens.
+  /// Opens and identifies the device first when that is to be done. A lost answer costs the response time-out, on RTU
+  /// also quiet_ms, up to 500 ms on a line that is never quiet; opening such a line always waits for that silence. One
+  /// exchange may wait for up to three answers more when it opens (the connection's, identity, settings), and for up to
+  /// four of one torn block.
   [[nodiscard]] Result<TouchpadReadings> exchange(const control::MotorCommand& command, Instant now) override;
   /// Connects, asks, and closes again; writes nothing. @return empty when it tells no serial number
   [[nodiscard]] Result<std::string> askSerial();
@@ -63,6 +67,7 @@ class ModbusTouchpad final : public Touchpad {
   void prepare(const control::MotorCommand& command);
   [[nodiscard]] Result<void> transact();
   [[nodiscard]] tl::unexpected<Error> lost(Error error);
+  [[nodiscard]] Result<void> checkClock(Instant now);
   void take(Instant now);
 
   DeviceParameters parameters_;

@@ -83,6 +83,48 @@ TEST(ModbusTouchpad, TheConfiguredSerialNumberIsCheckedFromTheStart) {
   EXPECT_TRUE(right.exchange({}, Clock::now()));
 }
 
+// As behind an adapter that stays plugged in: the connection goes on, the clock is another one.
+TEST(ModbusTouchpad, AnotherTouchpadOnAnOpenConnectionIsRefusedBeforeItsReadingsAreTaken) {
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
+    if (n == 2) {
+      d.identity.setSerial("OTHER");
+      d.state.uptime_us += 100'000'000;
+    }
+    return 0;
+  });
+  Client ask(device);
+  ASSERT_TRUE(ask());
+  const auto changed = ask();
+  ASSERT_FALSE(changed);
+  EXPECT_THAT(changed.error().text(), HasSubstr("the touchpad restarted"));
+  const auto other = ask();
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error().text(), HasSubstr("another touchpad answers: 'OTHER', expected 'SCRIPTED'"));
+}
+
+TEST(ModbusTouchpad, OneThatRestartedOnAnOpenConnectionGetsItsSettingsAgainAndStaysOff) {
+  constexpr int kRestart = 9;
+  ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
+    if (n == kRestart) {
+      d.drive = {};
+      d.state.status_word = statusBits(d.drive.state()) | protocol::status_bit::kRemote;
+      d.state.uptime_us += 100'000'000;
+      d.registers()[protocol::kSettingsAddress] = 0;
+    }
+    return 0;
+  });
+  Client ask(device);
+  for (int i = 1; i < kRestart; ++i) ASSERT_TRUE(ask(true));
+  ASSERT_FALSE(ask(true));
+  EXPECT_EQ(device.registers()[protocol::kSettingsAddress], 0);
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(ask(true));
+  EXPECT_EQ(device.registers()[protocol::kSettingsAddress], DeviceParameters{}.watchdog_ms);
+  EXPECT_EQ(ask.touchpad.counters().connections, 2U);
+  EXPECT_EQ(ask.touchpad.counters().restarts, 1U);
+  EXPECT_NE(device.drive.state(), protocol::DriveState::operation_enabled);
+  EXPECT_THAT(ask.touchpad.complaint().text(), HasSubstr("the touchpad restarted: mend that, then arm again"));
+}
+
 TEST(ModbusTouchpad, TheDevicesClockMayWrapWithoutARestart) {
   ScriptedModbusDevice device([](ScriptedModbusDevice& d, int n) {
     d.state.uptime_us = n == 1 ? 0xFFFFFF00U : 0x00000400U;

@@ -350,6 +350,20 @@ TEST(TouchpadProcess, ASerialPortBelongsToOneProgramAtATime) {
   EXPECT_TRUE(second.exchange({}, Clock::now()));
 }
 
+// A serial line stays open while the touchpad behind it loses its supply.
+TEST(TouchpadProcess, ATouchpadThatRestartsBehindItsAdapterIsIdentifiedAnew) {
+  Rig rig(Line::rtu, quick());
+  ASSERT_TRUE(rig.exchangeUntil("a clock that can go back", false,
+                                [&] { return rig.touchpad->state().uptime_us > 1'500'000U; }));
+  ASSERT_EQ(rig.touchpad->counters().connections, 1U);
+  rig.process->inject(TouchpadFault::brown_out, 0.15);
+  ASSERT_TRUE(
+      rig.exchangeUntil("the restart to be seen", false, [&] { return rig.touchpad->counters().restarts == 1U; }));
+  EXPECT_TRUE(
+      rig.exchangeUntil("a new identification", false, [&] { return rig.touchpad->counters().connections == 2U; }));
+  EXPECT_TRUE(comesTrue("a good exchange", [&] { return rig.exchange().has_value(); })) << rig.problem;
+}
+
 TEST(TouchpadProcess, TheStreamIsACameraAndFreezesOnDemand) {
   TouchpadProcessOptions options;
   options.camera_mjpeg = *protocol::parseEndpoint("127.0.0.1:0");
