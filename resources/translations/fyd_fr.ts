@@ -6736,6 +6736,10 @@ Pour commencer : %1</translation>
         <translation>marge de gain %1, marge de phase %2</translation>
     </message>
     <message>
+        <source>gains of the chirps from {:.2f} to {:.2f}; expected them within a factor of {}</source>
+        <translation>gains des balayages de {:.2f} à {:.2f} ; attendus dans un facteur de {}</translation>
+    </message>
+    <message>
         <source>gesture "{}": {} rows from {} to {} s: expected two and more of its {} s</source>
         <translation>geste "{}" : {} lignes de {} à {} s : deux ou plus attendues de ses {} s</translation>
     </message>

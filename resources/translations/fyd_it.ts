@@ -6736,6 +6736,10 @@ Per cominciare: %1</translation>
         <translation>margine di guadagno %1, margine di fase %2</translation>
     </message>
     <message>
+        <source>gains of the chirps from {:.2f} to {:.2f}; expected them within a factor of {}</source>
+        <translation>guadagni degli sweep da {:.2f} a {:.2f}; attesi entro un fattore di {}</translation>
+    </message>
+    <message>
         <source>gesture "{}": {} rows from {} to {} s: expected two and more of its {} s</source>
         <translation>gesto "{}": {} righe da {} a {} s: attese due o più dei suoi {} s</translation>
     </message>

@@ -21,7 +21,7 @@ struct FoundCloth {
   double sigma_Hz = 0.0;
   double damping = 0.0;
   double sigma_damping = 0.0;
-  double gain = 0.0;
+  double gain = 0.0;  ///< below 0 where the accelerometer's axis points against the cloth's motion
   double delay_ms = 0.0;
   double held_out_error = 0.0;  ///< in the held-out bands: RMS error over RMS acceleration
 };

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/parameter.h"
 #include "core/base/portable_math.h"
 
 namespace fyd::texture {
@@ -17,6 +18,7 @@ constexpr double kLeastStretchSpan_deg = 10.0;
 constexpr double kGoodError = 0.3;            // FoundCloth::held_out_error
 constexpr double kUsableError = 0.6;          // the same
 constexpr double kUsableRelativeSigma = 0.1;  // of the resonance
+constexpr double kMostGainRatio = 2.0;        // of two chirps: more, and the sensor or its scale was changed between
 
 /// The only motor that has a duty; −1: none, or both.
 int rampedMotor(const SweepPart& part) {
@@ -172,6 +174,8 @@ Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, con
   double resonance = 0.0;
   double damping = 0.0;
   double gain = 0.0;
+  double least_gain = std::numeric_limits<double>::infinity();
+  double largest_gain = 0.0;
   for (const FoundCloth& cloth : out.cloths) {
     if (!(cloth.held_out_error <= kUsableError)) {
       return fail("part {}: the model leaves {:.0f} % of the acceleration held out; expected at most {:.0f} %",
@@ -186,7 +190,14 @@ Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, con
     stretch += cloth.stretch_deg / count;
     resonance += cloth.resonance_Hz / count;
     damping += cloth.damping / count;
-    gain += cloth.gain / count;
+    const double size = std::abs(cloth.gain);  // its sign says only how the accelerometer lies
+    gain += size / count;
+    least_gain = std::min(least_gain, size);
+    largest_gain = std::max(largest_gain, size);
+  }
+  if (!(largest_gain <= kMostGainRatio * least_gain)) {
+    return fail("gains of the chirps from {:.2f} to {:.2f}; expected them within a factor of {}", least_gain,
+                largest_gain, kMostGainRatio);
   }
   double covariance = 0.0;
   double variance = 0.0;
@@ -201,6 +212,9 @@ Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, con
   out.plant.cloth_gain = gain;
   out.plant.resonance_Hz_per_deg = covariance / variance;
   out.plant.identified = true;
+  for (const Parameter& each : bindParameters(out.plant)) {
+    if (auto checked = checkParameter(each, each.value()); !checked) return tl::unexpected(checked.error());
+  }
   out.verdict = out.held_out_error <= kGoodError ? sentence("good") : sentence("usable");
   return out;
 }

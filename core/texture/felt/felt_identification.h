@@ -6,8 +6,8 @@
 //           the breakaway. Both motors in both directions: the cloth's tension raises it in one and lowers it in the
 //           other, and the mean cancels that.
 //   chirp   both motors have the same duty, a sine whose frequency rises through 10…400 Hz in 4 s or more, with an
-//           accelerometer on the cloth beside the finger (the robot's own is suitable), along the cloth's motion. At
-//           two stretches or more, 10° apart. Fit: chirp_fit.h.
+//           accelerometer on the cloth beside the finger (the robot's own is suitable), along the cloth's motion,
+//           either way round. At two stretches or more, 10° apart. Fit: chirp_fit.h.
 // Encoders, load cell and currents do not sense the cloth's vibration: the resonance needs the accelerometer.
 //
 // Offline: allocates.
@@ -40,7 +40,8 @@ struct FeltIdentification {
 };
 
 /// @param base constants that the sweep does not identify: free speed, time constant, position gain, radius
-/// @return an error that names the part, what was found and what was expected, where something is not determined
+/// @return an error that names what was found and what was expected, where something is not determined, the gains of
+/// two chirps differ by more than a factor of 2, or a constant is out of its parameter's range
 [[nodiscard]] Result<FeltIdentification> identifyPlant(const std::vector<SweepRow>& sweep, const FeltPlant& base);
 
 }  // namespace fyd::texture

@@ -61,5 +61,36 @@ TEST(TextureCalibration, IsRefusedInWordsWithoutAnAccelerometer) {
   EXPECT_THAT(found.result.verdict.reason.text(), testing::HasSubstr("accelerometer"));
 }
 
+/// The sweep, with the accelerations of the chirps multiplied by these factors, in order.
+std::vector<texture::SweepRow> withChirpsTimes(std::vector<texture::SweepRow> sweep, double first, double second) {
+  for (texture::SweepRow& row : sweep) row.acceleration_g *= row.stretch_deg < 50.0 ? first : second;
+  return sweep;
+}
+
+TEST(TextureCalibration, HowTheAccelerometerLiesMakesNoDifference) {
+  const auto sweep = sweepOf({});
+  const TextureCalibration upright = calibrateTexture(sweep, {});
+  ASSERT_TRUE(upright.result.verdict.accepted) << upright.result.verdict.reason.text();
+  EXPECT_GT(upright.identified.plant.cloth_gain, 0.5);
+  for (const auto& [first, second] : {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(-1.0, 1.0)}) {
+    const TextureCalibration turned = calibrateTexture(withChirpsTimes(sweep, first, second), {});
+    ASSERT_TRUE(turned.result.verdict.accepted) << turned.result.verdict.reason.text();
+    EXPECT_NEAR(turned.identified.plant.cloth_gain, upright.identified.plant.cloth_gain, 1e-6);
+  }
+}
+
+TEST(TextureCalibration, GainsThatDoNotAgreeOrCannotBeAreRefused) {
+  const auto sweep = sweepOf({});
+  const auto refusal = [&](double first, double second) {
+    const TextureCalibration found = calibrateTexture(withChirpsTimes(sweep, first, second), {});
+    EXPECT_FALSE(found.result.verdict.accepted);
+    EXPECT_TRUE(found.result.changes.empty());
+    return found.result.verdict.reason.text();
+  };
+  EXPECT_THAT(refusal(1.0, 0.3), testing::HasSubstr("within a factor of 2"));
+  EXPECT_THAT(refusal(1.0, -4.0), testing::HasSubstr("within a factor of 2"));
+  EXPECT_THAT(refusal(20.0, 20.0), testing::HasSubstr("texture.plant_cloth_gain"));
+}
+
 }  // namespace
 }  // namespace fyd::calibration
