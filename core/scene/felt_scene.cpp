@@ -38,20 +38,27 @@ FeltScene::FeltScene(std::shared_ptr<const LoadedScene> loaded, std::vector<Body
 
 const SceneTouch& FeltScene::step(const Vec3& probe_mm, double time_s) {
   if (!probe_mm.finite() || !std::isfinite(time_s)) {
-    texture_g_ = 0.0;
-    return touch_ = scene_.step(probe_mm, time_s);
+    touchAt(probe_mm, time_s);
+    return touch_;
   }
   const double dt_s = known_ ? time_s - time_s_ : 0.0;
   if (known_ && !(dt_s > 0.0)) return touch_;
   known_ = true;
   time_s_ = time_s;
-  const Vec3 force_over_stiffness_mm = probe_mm - std::exchange(probe_mm_, probe_mm);
-  touch_ = scene_.step(probe_mm, time_s);
-  texture_g_ = 0.0;
+  const Vec3 moved_mm = probe_mm - std::exchange(probe_mm_, probe_mm);
+  touchAt(probe_mm, time_s);
   if (!touch_.touching || touch_.body == kNoBody || !textures_[touch_.body] || !(dt_s > 0.0)) return touch_;
-  const Vec3 along_mm = force_over_stiffness_mm - dot(force_over_stiffness_mm, touch_.normal) * touch_.normal;
+  const Vec3 along_mm = moved_mm - dot(moved_mm, touch_.normal) * touch_.normal;
   texture_g_ = textures_[touch_.body]->step(length(along_mm) / dt_s, length(touch_.force_N));
   return touch_;
+}
+
+void FeltScene::touchAt(const Vec3& probe_mm, double time_s) {
+  const std::size_t before = touch_.body;
+  touch_ = scene_.step(probe_mm, time_s);
+  texture_g_ = 0.0;
+  // Nothing steps the texture of a body that is not touched: the next stroke would begin with the last one's vibration.
+  if (before != kNoBody && touch_.body != before && textures_[before]) textures_[before]->reset();
 }
 
 }  // namespace fyd::scene

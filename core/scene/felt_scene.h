@@ -2,7 +2,7 @@
 // touches.
 //
 // Frame: the robot's, whose origin is the scene's. A body with a stored surface adds a vibration along its normal, from
-// the sliding speed and the force (core/texture/virtual_texture.h).
+// the sliding speed and the force (core/texture/virtual_texture.h). Each touch of a body begins in silence.
 //
 // A copy starts where the original is and shares what does not change: meshes, trees and what contact models prepare.
 // Stability: may change
@@ -51,6 +51,8 @@ class FYD_API FeltScene {
   }
 
  private:
+  void touchAt(const Vec3& probe_mm, double time_s);
+
   FeltScene(std::shared_ptr<const LoadedScene> loaded, std::vector<BodyModel> models, Scene scene, double rate_Hz);
 
   std::shared_ptr<const LoadedScene> loaded_;

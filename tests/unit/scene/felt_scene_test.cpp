@@ -29,6 +29,26 @@ TEST(FeltScene, ASlidingFingerIsShakenByTheBodysTexture) {
   EXPECT_EQ(scene.texture_g(), 0.0);
 }
 
+TEST(FeltScene, ATouchAtRestIsSilentWhateverTheLastStrokeLeft) {
+  const auto scene = loaded(kBody + "contact = \"facet\"\n", {shapes::plane(50.0, 4)}, ribbed());
+  for (const Vec3& away_mm : {Vec3{9.9, 0.3, 1.0}, Vec3{NAN, 0.0, 0.0}}) {
+    FeltScene stroked = felt(scene);
+    double loudest_g = 0.0;
+    for (int i = 0; i < 300; ++i) {
+      stroked.step({-20.0 + 0.1 * i, 0.3, -2.0}, 1e-3 * i);
+      loudest_g = std::max(loudest_g, std::abs(stroked.texture_g()));
+    }
+    EXPECT_GT(loudest_g, 0.1);
+    stroked.step(away_mm, 0.3);
+    EXPECT_EQ(stroked.texture_g(), 0.0);
+    for (int i = 0; i < 50; ++i) {
+      stroked.step({9.9, 0.3, -2.0}, 0.301 + 1e-3 * i);
+      EXPECT_TRUE(stroked.touch().touching);
+      EXPECT_EQ(stroked.texture_g(), 0.0) << i;
+    }
+  }
+}
+
 TEST(FeltScene, WhatDoesNotFitTogetherIsRefused) {
   const auto whole = loaded(kBody + "name = \"plate\"\n", {shapes::plane(50.0, 4)});
   const std::vector<BodyModel> one(1);
