@@ -48,7 +48,8 @@ const SceneTouch& FeltScene::step(const Vec3& probe_mm, double time_s) {
   const Vec3 moved_mm = probe_mm - std::exchange(probe_mm_, probe_mm);
   touchAt(probe_mm, time_s);
   if (!touch_.touching || touch_.body == kNoBody || !textures_[touch_.body] || !(dt_s > 0.0)) return touch_;
-  const Vec3 along_mm = moved_mm - dot(moved_mm, touch_.normal) * touch_.normal;
+  const Vec3 slid_mm = moved_mm - dt_s * scene_.placement(touch_.body).velocity_mm_per_s;
+  const Vec3 along_mm = slid_mm - dot(slid_mm, touch_.normal) * touch_.normal;
   texture_g_ = textures_[touch_.body]->step(length(along_mm) / dt_s, length(touch_.force_N));
   return touch_;
 }

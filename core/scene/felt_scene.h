@@ -2,7 +2,8 @@
 // touches.
 //
 // Frame: the robot's, whose origin is the scene's. A body with a stored surface adds a vibration along its normal, from
-// the sliding speed and the force (core/texture/virtual_texture.h). Each touch of a body begins in silence.
+// the speed at which the point slides over the body, which may fly itself, and the force
+// (core/texture/virtual_texture.h). Each touch of a body begins in silence.
 //
 // A copy starts where the original is and shares what does not change: meshes, trees and what contact models prepare.
 // Stability: may change

@@ -49,6 +49,22 @@ TEST(FeltScene, ATouchAtRestIsSilentWhateverTheLastStrokeLeft) {
   }
 }
 
+TEST(FeltScene, ABodyThatFliesIsSlidOverByItsOwnSpeed) {
+  const auto rms = [](double body_mm_s, double finger_mm_s) {
+    FeltScene scene =
+        felt(loaded(fmt::format("{}contact = \"facet\"\nvelocity_mm_per_s = [{}, 0, 0]\n", kBody, body_mm_s),
+                    {shapes::plane(50.0, 4)}, ribbed()));
+    double squares = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      scene.step({1e-3 * finger_mm_s * i, 0.3, -2.0}, 1e-3 * i);
+      if (i >= 200) squares += scene.texture_g() * scene.texture_g();
+    }
+    return std::sqrt(squares / 200.0);
+  };
+  EXPECT_GT(rms(80.0, 0.0), 0.05);
+  EXPECT_LT(rms(80.0, 80.0), 1e-6);
+}
+
 TEST(FeltScene, WhatDoesNotFitTogetherIsRefused) {
   const auto whole = loaded(kBody + "name = \"plate\"\n", {shapes::plane(50.0, 4)});
   const std::vector<BodyModel> one(1);
