@@ -42,7 +42,14 @@ const SceneTouch& FeltScene::step(const Vec3& probe_mm, double time_s) {
     return touch_;
   }
   const double dt_s = known_ ? time_s - time_s_ : 0.0;
-  if (known_ && !(dt_s > 0.0)) return touch_;
+  if (known_ && !(dt_s > 0.0)) {
+    if (dt_s < -kSetBack_s) {
+      static_cast<void>(scene_.step(probe_mm, time_s));  // sets its clock back too
+      time_s_ = time_s;
+    }
+    texture_g_ = 0.0;
+    return touch_;
+  }
   known_ = true;
   time_s_ = time_s;
   const Vec3 moved_mm = probe_mm - std::exchange(probe_mm_, probe_mm);

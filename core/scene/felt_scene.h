@@ -26,7 +26,7 @@ class FYD_API FeltScene {
   [[nodiscard]] static Result<FeltScene> build(std::shared_ptr<const LoadedScene> loaded, std::vector<BodyModel> models,
                                                double rate_Hz);
 
-  /// As Scene::step; allocates nothing.
+  /// As Scene::step; allocates nothing. Where no time passes nothing vibrates.
   const SceneTouch& step(const Vec3& probe_mm, double time_s);
 
   /// Of the last step.

@@ -147,7 +147,10 @@ SceneTouch Scene::step(const Vec3& probe_mm, double time_s) {
   out.proxy_mm = probe_mm;
   if (!known_) first_s_ = time_s;
   const double dt_s = time_s - first_s_ - time_s_;
-  if (known_ && !(dt_s > 0.0)) return last_;
+  if (known_ && !(dt_s > 0.0)) {
+    if (dt_s < -kSetBack_s) first_s_ = time_s - time_s_;  // bodies go on from where they are
+    return last_;
+  }
   const double from_s = time_s_;
   time_s_ = time_s - first_s_;
   const Vec3 from_mm = known_ ? last_mm_ : probe_mm;

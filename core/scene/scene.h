@@ -65,6 +65,9 @@ class FYD_API Placement {
 /// Of a soft body for which no accuracy is asked: a step stays within a millisecond.
 inline constexpr std::size_t kUsualPoints = 1000;
 
+/// A time that is earlier by more than this is another clock's; by less, it came too late.
+inline constexpr double kSetBack_s = 1.0;
+
 /// What the description of a body may leave open.
 struct BodyModel {
   ContactModel contact = ContactModel::vicinity;              ///< of a rigid body
@@ -84,7 +87,8 @@ class FYD_API Scene {
                                            const std::vector<BodyModel>& models);
 
   /// One step; allocates nothing. A haptic point or a time that is no number touches nothing and moves nothing; if
-  /// `time_s` did not increase, the last touch is returned again.
+  /// `time_s` did not increase, the last touch is returned again; if it is more than kSetBack_s earlier, the caller's
+  /// clock was set back, and time goes on from there.
   /// @param time_s of the caller's clock; bodies fly from where they are at the first step
   SceneTouch step(const Vec3& probe_mm, double time_s);
 

@@ -65,6 +65,20 @@ TEST(FeltScene, ABodyThatFliesIsSlidOverByItsOwnSpeed) {
   EXPECT_LT(rms(80.0, 80.0), 1e-6);
 }
 
+TEST(FeltScene, WhereTimeDoesNotPassNothingVibratesAndAClockThatIsSetBackGoesOn) {
+  FeltScene scene = felt(loaded(kBody + "contact = \"facet\"\n", {shapes::plane(50.0, 4)}, ribbed()));
+  for (int i = 0; i < 300; ++i) scene.step({-20.0 + 0.1 * i, 0.3, -2.0}, 1000.0 + 1e-3 * i);
+  EXPECT_NE(scene.texture_g(), 0.0);
+  for (const double late_s : {1000.299, 1000.2, 999.5}) {
+    EXPECT_TRUE(scene.step({10.0, 0.3, 1.0}, late_s).touching) << "the last touch again";
+    EXPECT_EQ(scene.texture_g(), 0.0);
+  }
+  EXPECT_TRUE(scene.step({10.0, 0.3, 1.0}, 5.0).touching) << "the clock was set back in this step";
+  EXPECT_FALSE(scene.step({10.0, 0.3, 1.0}, 5.001).touching);
+  EXPECT_NEAR(scene.scene().time_s(), 0.3, 1e-9);
+  EXPECT_TRUE(scene.step({10.0, 0.3, -2.0}, 5.002).touching);
+}
+
 TEST(FeltScene, WhatDoesNotFitTogetherIsRefused) {
   const auto whole = loaded(kBody + "name = \"plate\"\n", {shapes::plane(50.0, 4)});
   const std::vector<BodyModel> one(1);
