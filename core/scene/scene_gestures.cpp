@@ -1,5 +1,6 @@
 #include "core/scene/scene_gestures.h"
 
+#include "core/base/portable_math.h"
 #include "core/scene/mesh/vector.h"
 
 namespace fyd::scene {
@@ -48,9 +49,10 @@ void SceneGestures::step(const Vec3& probe_mm, double dt_s, bool with_bodies, Sc
 }
 
 void SceneGestures::fence(const Vec3& probe_mm, double dt_s, SceneTouch& touch) {
-  const auto sword = [this](const Vec3& device_mm) {
+  const Vec3 along_mm = sword_.length_mm * Vec3{math::cos(kBladesRise_rad), 0.0, math::sin(kBladesRise_rad)};
+  const auto sword = [&](const Vec3& device_mm) {
     const Vec3 grip = fencing_.scale * device_mm;
-    return Blade{grip, grip + Vec3{sword_.length_mm, 0.0, 0.0}};
+    return Blade{grip, grip + along_mm};
   };
   const Blade other = seenByTheOther(fencing_, sword({}));
   const SwordTouch felt = stepSwords(sword_, *swords_, sword(probe_mm), other, dt_s);

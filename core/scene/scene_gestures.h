@@ -1,6 +1,6 @@
 // The tele-gesture paper's three gestures in a scene. The haptic point is
-//   swords      the grip of a sword that points along x, at `fencing.scale` times the point's position; the other
-//               player does not move
+//   swords      the grip of a sword that points along x and rises by kBladesRise_rad, at `fencing.scale` times the
+//               point's position; the other player's rises likewise and does not move
 //   ball        the centre of a racket whose normal points along +z
 //   palpation   the probe: on the bodies of the scene, or on the plane if the scene has no body
 // Only the gestures that the description names exist.

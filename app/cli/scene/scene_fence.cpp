@@ -31,7 +31,6 @@ struct FenceOptions {
   bool json = false;
 };
 
-constexpr double kRaised_rad = -0.25;                // the blade rises towards the other player
 constexpr double kWrist_rad_per_mm = 0.02;           // rotation per sideways motion of the hand
 constexpr double kTell_s = 1.0;                      // interval of announcing the scene that this end uses
 constexpr double kKept_s = 3.0;                      // history of estimates, compared with later messages
@@ -73,7 +72,7 @@ class Hand {
     return {.position_mm = place,
             .velocity_mm_per_s = {},
             .force_N = {},
-            .orientation = {0.0, kRaised_rad, kWrist_rad_per_mm * place.y}};
+            .orientation = {0.0, -scene::kBladesRise_rad, kWrist_rad_per_mm * place.y}};
   }
 
  private:

@@ -85,6 +85,10 @@ struct Blade {
   }
 };
 
+/// Both blades rise towards the other player by this angle (14°). Level ones would be parallel, and could only meet where
+/// one comes to lie on the other.
+inline constexpr double kBladesRise_rad = 0.25;
+
 /// The players face each other: where one of them has a blade, as the other one sees it.
 [[nodiscard]] inline Blade seenByTheOther(const FencingParameters& players, const Blade& blade) {
   const auto seen = [&](const Vec3& p) { return Vec3{players.apart_mm - p.x, -p.y, p.z}; };
