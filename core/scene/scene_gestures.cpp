@@ -56,9 +56,11 @@ void SceneGestures::fence(const Vec3& probe_mm, double dt_s, SceneTouch& touch) 
   };
   const Blade other = seenByTheOther(fencing_, sword({}));
   const SwordTouch felt = stepSwords(sword_, *swords_, sword(probe_mm), other, dt_s);
-  if (felt.touching) {
-    add(touch, felt.force_N, felt.point_mm, felt.normal, felt.depth_mm, sword_.stiffness_N_per_mm);
-  }
+  if (!felt.touching) return;
+  // The swords move `scale` times as far as the haptic point, which is what feels the force.
+  const double depth_mm = felt.depth_mm / fencing_.scale;
+  add(touch, felt.force_N, probe_mm + depth_mm * felt.normal, felt.normal, depth_mm,
+      fencing_.scale * sword_.stiffness_N_per_mm);
 }
 
 void SceneGestures::play(const Vec3& probe_mm, double dt_s, SceneTouch& touch) {

@@ -55,6 +55,11 @@ TEST(GestureScenes, InFencingASwordIsFeltAndHeldOnItsSide) {
       const SceneTouch touch = to(-1.0);  // held still: the damper gives nothing
       ASSERT_TRUE(touch.touching);
       EXPECT_NEAR(touch.force_N.y, side * 2.5, 1e-9);  // 0.5 N/mm, five times as far
+      EXPECT_NEAR(touch.depth_mm, 1.0, 1e-9) << "of the haptic point, as proxy and stiffness are";
+      EXPECT_NEAR(touch.stiffness_N_per_mm, 2.5, 1e-9);
+      EXPECT_NEAR(touch.proxy_mm.x, 5.0, 1e-9);
+      EXPECT_NEAR(touch.proxy_mm.y, 0.0, 1e-9);
+      EXPECT_NEAR(touch.proxy_mm.z, z_mm, 1e-9);
     }
   }
 }
