@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace fyd::sim {
 namespace {
@@ -21,6 +22,11 @@ constexpr std::array<Pose, 25> kDemonstration = {{
 }};
 constexpr double kDemonstrationEnd_s = 16.0;
 constexpr double kDemonstrationStep_s = 0.01;
+
+/// Negative: above the cloth; NaN: not known.
+double depthOf_mm(const FingerPath::Knot& knot) {
+  return knot.state.lifted ? -knot.above_mm : knot.state.indentation_mm;
+}
 
 /// From 0 to 1 with zero speed and acceleration at both ends, as a hand moves (minimum jerk).
 double minimumJerk(double u) { return u * u * u * (10.0 + u * (6.0 * u - 15.0)); }
@@ -42,9 +48,12 @@ FingerPath FingerPath::demonstration() {
     const Pose& b = kDemonstration[segment + 1];
     const double share = minimumJerk(std::clamp((t - a.time_s) / (b.time_s - a.time_s), 0.0, 1.0));
     const double end = std::clamp((t - b.time_s) / 0.4, 0.0, 1.0);  // after the last pose: let go
+    // Lifted until the next of the steps of 10 ms, as it always was: sessions of it are the same bit for bit.
     path.knots_.push_back(
-        {t, pressed(a.x_mm + (b.x_mm - a.x_mm) * share, a.y_mm + (b.y_mm - a.y_mm) * share,
-                    (a.indentation_mm + (b.indentation_mm - a.indentation_mm) * share) * (1.0 - minimumJerk(end)))});
+        {t,
+         pressed(a.x_mm + (b.x_mm - a.x_mm) * share, a.y_mm + (b.y_mm - a.y_mm) * share,
+                 (a.indentation_mm + (b.indentation_mm - a.indentation_mm) * share) * (1.0 - minimumJerk(end))),
+         std::numeric_limits<double>::quiet_NaN()});
   }
   path.duration_s_ = kDemonstrationEnd_s;
   return path;
@@ -81,13 +90,11 @@ FingerState FingerPath::at(double time_s) const {
     }
     return waiting;
   }
-  if (a.state.lifted || after->state.lifted) return a.state;
+  const double from_mm = depthOf_mm(a), to_mm = depthOf_mm(*after);
+  if (std::isnan(from_mm) || std::isnan(to_mm)) return a.state;
   const double share = (t - a.time_s) / (after->time_s - a.time_s);
   const auto mix = [share](double from, double to) { return from + (to - from) * share; };
-  return {.x_mm = mix(a.state.x_mm, after->state.x_mm),
-          .y_mm = mix(a.state.y_mm, after->state.y_mm),
-          .indentation_mm = mix(a.state.indentation_mm, after->state.indentation_mm),
-          .lifted = false};
+  return pressed(mix(a.state.x_mm, after->state.x_mm), mix(a.state.y_mm, after->state.y_mm), mix(from_mm, to_mm));
 }
 
 FingerPath FingerPath::played(double speed, bool loop) const {

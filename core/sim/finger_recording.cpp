@@ -62,12 +62,14 @@ struct Fit {
   double touch_z_mm = 0.0;  // indentation 0
   double depth_scale = 1.0;
 
-  [[nodiscard]] FingerState apply(double x_mm, double y_mm, double z_mm) const {
-    const double depth = std::min((touch_z_mm - z_mm) * depth_scale, kDeepestPress_mm);
-    return {.x_mm = (x_mm - middle_x_mm) * scale,
-            .y_mm = (y_mm - middle_y_mm) * scale,
-            .indentation_mm = std::max(depth, 0.0),
-            .lifted = !(depth > 0.0)};
+  [[nodiscard]] FingerPath::Knot apply(double time_s, double x_mm, double y_mm, double z_mm) const {
+    const double depth = std::clamp((touch_z_mm - z_mm) * depth_scale, -kLargest, kDeepestPress_mm);
+    return {.time_s = time_s,
+            .state = {.x_mm = (x_mm - middle_x_mm) * scale,
+                      .y_mm = (y_mm - middle_y_mm) * scale,
+                      .indentation_mm = std::max(depth, 0.0),
+                      .lifted = !(depth > 0.0)},
+            .above_mm = std::max(-depth, 0.0)};
   }
 };
 
@@ -124,16 +126,17 @@ Result<FingerPath> FingerPath::fromCsvText(std::string_view text, const std::str
   const Fit fit = fitOf(*table);
   std::vector<FingerPath::Knot> knots;
   knots.reserve(table->rows());
-  FingerState state;
+  FingerState place;
   for (std::size_t row = 0; row < table->rows(); ++row) {
-    const double z = table->values[3][row];
-    if (std::isnan(z)) {
-      state.lifted = true;  // x and y stay as they were
-      state.indentation_mm = 0.0;
+    const double z = table->values[3][row], time_s = table->values[0][row] - table->values[0][0];
+    if (std::isnan(z)) {  // x and y stay as they were
+      knots.push_back({time_s,
+                       {.x_mm = place.x_mm, .y_mm = place.y_mm, .indentation_mm = 0.0, .lifted = true},
+                       std::numeric_limits<double>::quiet_NaN()});
     } else {
-      state = fit.apply(table->values[1][row], table->values[2][row], z);
+      knots.push_back(fit.apply(time_s, table->values[1][row], table->values[2][row], z));
+      place = knots.back().state;
     }
-    knots.push_back({table->values[0][row] - table->values[0][0], state});
   }
   return FingerPath::fromKnots(std::move(knots));
 }

@@ -45,6 +45,18 @@ TEST_F(Recording, OneThatFitsIsTakenAsItStands) {
   EXPECT_TRUE(path->at(2.0).lifted) << "z > 0 is above the cloth";
 }
 
+TEST_F(Recording, TheClothIsMetWhereTheLineMeetsIt) {
+  const auto path = load("t_s,x_mm,y_mm,z_mm\n0,-10,0,1\n1,10,0,-4\n2,10,0,1\n");
+  ASSERT_TRUE(path) << path.error().text();
+  EXPECT_TRUE(path->at(0.19).lifted);
+  EXPECT_EQ(path->at(0.19).indentation_mm, 0.0);
+  EXPECT_NEAR(path->at(0.1).x_mm, -8.0, 1e-12);
+  EXPECT_FALSE(path->at(0.21).lifted);
+  EXPECT_NEAR(path->at(0.6).indentation_mm, 2.0, 1e-12);
+  EXPECT_NEAR(path->at(1.4).indentation_mm, 2.0, 1e-12);
+  EXPECT_TRUE(path->at(1.81).lifted);
+}
+
 TEST_F(Recording, AnyOtherIsScaledByOneFactorIntoTheUsableArea) {
   // 180 × 60 mm: x decides, factor 0.5, centre (1090, −30); z 100…200, of 11 samples the lowest 8 touch (0.7·10 = rank
   // 7)

@@ -35,6 +35,21 @@ TEST(GestureCard, IsReadAsItStandsAndPlayed) {
   EXPECT_TRUE(path.at(100.0).lifted) << "once";
 }
 
+TEST(GestureCard, AFingerIsPutDownAndLiftedAlongTheLineToDepth0) {
+  const FingerPath path =
+      parseGesture(kHead + "---\nt_s,x_mm,y_mm,depth_mm\n0,0,0,0\n2,4,0,5\n4,4,8,0\n5,9,8,0\n", "card").value().path();
+  EXPECT_TRUE(path.at(0.0).lifted);
+  for (const double t : {0.01, 1.0, 1.99, 2.01, 3.0, 3.99}) {
+    EXPECT_FALSE(path.at(t).lifted) << t;
+    EXPECT_NEAR(path.at(t).indentation_mm, t < 2.0 ? 2.5 * t : 10.0 - 2.5 * t, 1e-12) << t;
+    EXPECT_NEAR(path.at(t).x_mm, std::min(2.0 * t, 4.0), 1e-12) << t;
+    EXPECT_NEAR(path.at(t).y_mm, t < 2.0 ? 0.0 : 4.0 * t - 8.0, 1e-12) << t;
+  }
+  EXPECT_TRUE(path.at(4.5).lifted);
+  EXPECT_EQ(path.at(4.5).indentation_mm, 0.0);
+  EXPECT_NEAR(path.at(4.5).x_mm, 6.5, 1e-12) << "a lifted finger goes straight too";
+}
+
 TEST(GestureCard, LoopsUnlessItIsToBePlayedOnce) {
   const FingerPath path = parseGesture(kHead + "---\n" + kRows, "card").value().path();
   EXPECT_FALSE(path.at(0.5).lifted);
