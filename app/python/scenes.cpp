@@ -13,7 +13,7 @@ namespace {
 using scene::Mesh;
 
 /// A mesh and its search; the tree points to the mesh.
-struct Searched {
+struct Searched : std::enable_shared_from_this<Searched> {
   explicit Searched(Mesh from) : mesh(std::move(from)), tree(mesh) {}
   Mesh mesh;
   scene::TriangleTree tree;
@@ -138,9 +138,9 @@ void addMeshes(py::module_& module) {
           py::arg("path"), py::arg("unit") = "mm", "An OBJ, STL or PLY file; `unit` of its lengths: mm, cm, m or in.")
       .def_property_readonly(
           "vertices_mm",
-          [](const MeshOwner& mesh) {
-            const auto vertices = mesh->mesh.vertices();
-            auto* kept = new MeshOwner(mesh);
+          [](Searched& mesh) {  // a reference: None is no mesh, but a MeshOwner of it would be null
+            const auto vertices = mesh.mesh.vertices();
+            auto* kept = new MeshOwner(mesh.shared_from_this());
             const py::capsule owner(kept, [](void* p) { delete static_cast<MeshOwner*>(p); });
             py::array_t<double> out({static_cast<py::ssize_t>(vertices.size()), py::ssize_t{3}},
                                     reinterpret_cast<const double*>(vertices.data()), owner);
@@ -150,9 +150,9 @@ void addMeshes(py::module_& module) {
           "Shape (n, 3), the mesh's own memory [mm]")
       .def_property_readonly(
           "triangles",
-          [](const MeshOwner& mesh) {
-            const auto triangles = mesh->mesh.triangles();
-            auto* kept = new MeshOwner(mesh);
+          [](Searched& mesh) {
+            const auto triangles = mesh.mesh.triangles();
+            auto* kept = new MeshOwner(mesh.shared_from_this());
             const py::capsule owner(kept, [](void* p) { delete static_cast<MeshOwner*>(p); });
             py::array_t<std::uint32_t> out({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}},
                                            reinterpret_cast<const std::uint32_t*>(triangles.data()), owner);
@@ -171,7 +171,7 @@ void addMeshes(py::module_& module) {
           "pieces", [](const Searched& mesh) { return mesh.mesh.report().pieces; }, "Not connected [1]");
 
   py::class_<ContactOwner>(module, "Contact", "One body and one haptic point that touches it.")
-      .def(py::init(&contactOf), py::arg("mesh"),
+      .def(py::init(&contactOf), py::arg("mesh").none(false),
            "With the keys of a body of a scene file, such as contact=\"proxy\", stiffness_N_per_mm=0.8 [N/mm], "
            "radius_mm [mm].")
       .def(

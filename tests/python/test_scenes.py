@@ -39,6 +39,14 @@ def test_a_mesh_has_its_measures(box):
     assert vertices.shape == (8, 3)  # it keeps the mesh
 
 
+def test_none_is_no_mesh():
+    """A null mesh that was touched ended the process."""
+    for touched in (lambda: fyd.Contact(None), lambda: fyd.Contact(mesh=None), lambda: fyd.Mesh.vertices_mm.fget(None),
+                    lambda: fyd.Mesh.triangles.fget(None)):
+        with pytest.raises(TypeError):
+            touched()
+
+
 @pytest.mark.parametrize("model", ["facet", "proxy", "vicinity"])
 def test_a_press_is_hooke_s_law(box, model):
     depth_mm = np.arange(-2, 3, 0.05)
