@@ -119,7 +119,10 @@ FingerPath GestureCard::path() const { return FingerPath::fromKnots(rows).played
 
 bool isGestureName(std::string_view name) { return !name.empty() && name.size() <= kLongestText && printable(name); }
 
-bool isGestureCard(std::string_view text) { return text.starts_with(kBegins); }
+bool isGestureCard(std::string_view text) {
+  // A card may begin with a comment or another key; no recording has the line.
+  return text.starts_with(kBegins) || findRule(text).begin != std::string_view::npos;
+}
 
 Result<GestureCard> parseGesture(std::string_view text, std::string_view source_name) {
   const std::string name(source_name);

@@ -37,7 +37,7 @@ struct GestureCard {
 
 /// Whether a card may be called so.
 [[nodiscard]] bool isGestureName(std::string_view name);
-/// Whether the text begins as a card does.
+/// Whether the text begins as a card that is written here, or has the line --- of any card.
 [[nodiscard]] bool isGestureCard(std::string_view text);
 /// @return an error with file and line, the value and what was expected
 [[nodiscard]] Result<GestureCard> parseGesture(std::string_view text, std::string_view source_name);

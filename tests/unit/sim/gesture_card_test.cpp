@@ -143,6 +143,8 @@ TEST(GestureCard, AFileIsACardOrARecording) {
     return readFingerFile(file);
   };
   EXPECT_EQ(path(kHead + "---\n" + kRows).value().rows(), 3U);
+  EXPECT_EQ(path("# mine\n\n" + kHead + "---\n" + kRows).value().rows(), 3U);
+  EXPECT_EQ(path("name = \"a\"\nformat = \"FYD gesture 1\"\r\n---\r\n" + kRows).value().rows(), 3U);
   EXPECT_EQ(path("t_s,x_mm,y_mm,z_mm\n0,1,2,-1\n1,2,3,-1\n").value().rows(), 2U);
   EXPECT_THAT(path(kHead + kRows).error().text(), ::testing::HasSubstr("no line ---"));
   EXPECT_FALSE(path(""));
