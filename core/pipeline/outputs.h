@@ -23,7 +23,7 @@ enum class EventKind : std::uint8_t {
 
 struct Event {
   EventKind kind = EventKind::state_changed;
-  SafetyState state = SafetyState::disconnected;
+  SafetyState state = SafetyState::disconnected;  ///< of state_changed and arm_refused
   Fault fault = Fault::none;
   std::uint16_t index = 0;  ///< of an event that names a parameter: as in ParameterChange
   double value = 0.0;
@@ -36,7 +36,7 @@ struct Event {
   static constexpr auto fields() {
     return std::tuple(Field("value", "1", "of the event, where it has one", &Event::value),
                       Field("kind", "1", "EventKind: its number", &Event::kind),
-                      Field("state", "1", "SafetyState then", &Event::state),
+                      Field("state", "1", "SafetyState: of state_changed and arm_refused; otherwise 0", &Event::state),
                       Field("lack", "1", "Fault: what is missing; 0: nothing", &Event::fault),
                       Field("index", "1", "of a parameter's event: as in /inputs/changes", &Event::index));
   }

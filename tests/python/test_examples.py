@@ -29,7 +29,10 @@ def test_looking_at_a_session(session):
     assert len(re.findall(r"^touch \d", text, re.M)) == begins > 0
     most_N = max(float(each) for each in re.findall(r"at most ([\d.]+) N", text))
     assert abs(most_N - np.nanmax(rows["force_N"][rows["contact"] == 1])) < 0.0051
-    assert len(re.findall(r"^ *[\d.]+ s  \w+  \w+$", text, re.M)) == events
+    assert len(re.findall(r"^ *[\d.]+ s  \w+(?:  \w+)?$", text, re.M)) == events
+    said = re.findall(r"^ *[\d.]+ s  (\w+)(  \w+)?$", text, re.M)
+    assert {kind for kind, state in said if state} <= {"state_changed", "arm_refused"}
+    assert all(state for kind, state in said if kind == "state_changed")
 
 
 def test_comparing_two_gains(staircase):

@@ -20,7 +20,9 @@ with fyd.open(sys.argv[1] if len(sys.argv) > 1 else "session.h5") as recording:
         print(f"touch {number}: {time_s[begin]:.2f} to {time_s[end - 1]:.2f} s, at most {np.nanmax(force_N[begin:end]):.2f} N "
               f"and {np.nanmax(depth_mm):.1f} mm")
 
+    tell_state = (fyd.EventKind.state_changed, fyd.EventKind.arm_refused)  # the others have no state: 0
     for event in recording.events:
-        print(f"{recording.seconds(event.when_ns):6.2f} s  {event.kind.name}  {event.state.name}")
+        state = f"  {event.state.name}" if event.kind in tell_state else ""
+        print(f"{recording.seconds(event.when_ns):6.2f} s  {event.kind.name}{state}")
     for note in recording.notes:
         print(f"{note.time_s:6.2f} s  {note.kind.name}: {note.text}")
