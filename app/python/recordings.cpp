@@ -125,7 +125,7 @@ void addInfo(py::module_& module) {
   using H = recording::RecordingHeader;
   py::class_<RecordingInfo>(module, "RecordingInfo", "The summary of a recording, as of its last refresh.")
       .def_readonly("wholeness", &RecordingInfo::wholeness, "How it was left [—]")
-      .def_readonly("duration_s", &RecordingInfo::duration_s, "From its first row to its last [s]")
+      .def_readonly("duration_s", &RecordingInfo::duration_s, "From its start to its last row [s]")
       .def_readonly("rows", &RecordingInfo::committed_samples, "Rows of telemetry to trust [1]")
       .def_readonly("rows_present", &RecordingInfo::samples, "Rows of telemetry in the file [1]")
       .def_readonly("pictures", &RecordingInfo::frames, "Pictures [1]")
@@ -152,7 +152,7 @@ void addInfo(py::module_& module) {
           "started_ns", [](const RecordingInfo& info) { return toPython(info.header.started); },
           "The station's clock at time 0 of the recording [ns]")
       .def_property_readonly("id", header(&H::id), "Globally unique [—]")
-      .def_property_readonly("started_utc", header(&H::started_utc), "ISO 8601, of the first row [—]")
+      .def_property_readonly("started_utc", header(&H::started_utc), "ISO 8601, of its start [—]")
       .def_property_readonly("operator", header(&H::operator_name), "Who operated [—]")
       .def_property_readonly("subject", header(&H::subject), "A code, never a name [—]")
       .def_property_readonly("notes", header(&H::notes), "Written when it started [—]")

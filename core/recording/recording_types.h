@@ -34,7 +34,7 @@ inline constexpr const char* kLatenessFault = "fault";
 /// What is known when a recording starts.
 struct RecordingHeader {
   std::string id;           ///< random and so globally unique: 32 hexadecimal digits
-  std::string started_utc;  ///< ISO 8601 with milliseconds, of the first row
+  std::string started_utc;  ///< ISO 8601 with milliseconds, of the recording's start
   Instant started{};        ///< the same moment on the station's clock: time 0 of the recording
   std::string operator_name;
   std::string subject;  ///< code, never a name

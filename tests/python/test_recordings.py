@@ -131,6 +131,7 @@ def test_time_counts_from_the_start(classic):
     time_s = classic.time_s
     assert time_s[0] == 0.0
     assert time_s[-1] == pytest.approx(classic.info.duration_s, abs=1e-9)
+    assert "start to its last row" in fyd.RecordingInfo.duration_s.__doc__
     row = classic.row_at(0.5)
     assert row == np.searchsorted(time_s, 0.5)
     assert classic.row_at(1e9) == classic.info.rows

@@ -26,7 +26,7 @@ struct RecordingInfo {
   std::string path;  ///< by which it was opened
   RecordingHeader header;
   Wholeness wholeness = Wholeness::whole;
-  double duration_s = 0.0;
+  double duration_s = 0.0;              ///< from its start to its last row
   std::uint64_t samples = 0;            ///< rows present
   std::uint64_t committed_samples = 0;  ///< rows to trust
   std::uint64_t frames = 0;             ///< pictures
