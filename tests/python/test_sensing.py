@@ -34,6 +34,8 @@ def test_without_a_finger_there_is_no_contact():
     v, u = np.mgrid[0:240, 0:320]
     found = fyd.FingerDetector().detect((200 + (u + v) % 7).astype(np.uint8))
     assert not found.contact and found.reason == fyd.FingerReason.no_finger
+    assert (found.x_mm, found.y_mm, found.x_px, found.y_px) == (0, 0, 0, 0)
+    assert all("without contact 0" in fyd.FingerDetection.help[name] for name in ("x_mm", "y_mm", "x_px", "y_px"))
     assert fyd.FingerDetector().detect(np.zeros((240, 320), np.uint8)).reason == fyd.FingerReason.black_picture
     assert fyd.FingerDetector().detect(np.zeros((0, 320), np.uint8)).reason == fyd.FingerReason.no_picture
     assert fyd.FingerDetector().detect(np.full((5, 5), 200, np.uint8)).reason == fyd.FingerReason.no_picture
