@@ -6964,6 +6964,10 @@ Pour commencer : %1</translation>
         <translation>repose sur celui de l'autre</translation>
     </message>
     <message>
+        <source>light unknown</source>
+        <translation>lumière inconnue</translation>
+    </message>
+    <message>
         <source>light, temperature, target</source>
         <translation>lumière, température, cible</translation>
     </message>
@@ -7258,10 +7262,6 @@ Pour commencer : %1</translation>
     <message>
         <source>no picture</source>
         <translation>pas d'image</translation>
-    </message>
-    <message>
-        <source>light unknown</source>
-        <translation>lumière inconnue</translation>
     </message>
     <message>
         <source>no picture from {} s to {} s</source>

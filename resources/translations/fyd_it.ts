@@ -6964,6 +6964,10 @@ Per cominciare: %1</translation>
         <translation>sta su quello dell'altra</translation>
     </message>
     <message>
+        <source>light unknown</source>
+        <translation>luce sconosciuta</translation>
+    </message>
+    <message>
         <source>light, temperature, target</source>
         <translation>luce, temperatura, bersaglio</translation>
     </message>
@@ -7258,10 +7262,6 @@ Per cominciare: %1</translation>
     <message>
         <source>no picture</source>
         <translation>nessuna immagine</translation>
-    </message>
-    <message>
-        <source>light unknown</source>
-        <translation>luce sconosciuta</translation>
     </message>
     <message>
         <source>no picture from {} s to {} s</source>
