@@ -8912,6 +8912,10 @@ Pour commencer : %1</translation>
         <translation>a été perdue pendant que ses moteurs étaient en marche</translation>
     </message>
     <message>
+        <source>was switched off because its command was not renewed in time</source>
+        <translation>a été coupée parce que sa commande n'a pas été renouvelée à temps</translation>
+    </message>
+    <message>
         <source>what if</source>
         <translation>et si</translation>
     </message>

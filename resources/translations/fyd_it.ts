@@ -8912,6 +8912,10 @@ Per cominciare: %1</translation>
         <translation>è stata persa mentre i suoi motori erano accesi</translation>
     </message>
     <message>
+        <source>was switched off because its command was not renewed in time</source>
+        <translation>è stata spenta perché il suo comando non è stato rinnovato in tempo</translation>
+    </message>
+    <message>
         <source>what if</source>
         <translation>e se</translation>
     </message>

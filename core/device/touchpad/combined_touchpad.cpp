@@ -66,14 +66,14 @@ Message CombinedTouchpad::description() const {
   return listed({sensor_half_.description(names_), motor_half_.description({})});
 }
 
-// The command for the motor board. If the caller has not renewed it in time, the vibration duty becomes 0, and after
-// longest_silence_ the command becomes inactive.
-control::MotorCommand CombinedTouchpad::commandAt(Instant now) {
+// If the caller has not renewed the command in time, the vibration duty becomes 0, and after longest_silence_ the motors
+// go off. An inactive command in its place would undo the board's refusal, and the next active one, which is not the
+// operator's, would switch the motors on.
+Result<control::MotorFeedback> CombinedTouchpad::exchangeWithMotors(Instant now) {
   const Given& given = command_.read();
   control::MotorCommand command = given.command;
   if (now - given.when > kVibrationTimeout) command.vibration_duty_percent = {};
-  if (now - given.when > longest_silence_) command.active = false;
-  return command;
+  return motors_->exchange(command, now - given.when <= longest_silence_);
 }
 
 void CombinedTouchpad::runSensors(const std::stop_token& stop) {
@@ -86,6 +86,7 @@ void CombinedTouchpad::runSensors(const std::stop_token& stop) {
     } else {
       sensor_half_.monitor.failed(sensed.error().message);
     }
+    sensor_half_.failing = !sensed;
     if (sensor_half_.reportDue(now)) {
       auto reports = sensors_->reports();
       if (!reports.empty()) sensor_half_.publish(std::move(reports.front()));
@@ -99,7 +100,7 @@ void CombinedTouchpad::runMotors(const std::stop_token& stop) {
   int failures = 0;  // in a row
   while (!stop.stop_requested()) {
     const Instant now = Clock::now();
-    const auto moved = motors_->exchange(commandAt(now));
+    const auto moved = exchangeWithMotors(now);
     if (moved) {
       newest.set(*moved, now);
       moved_.write(newest);
@@ -107,6 +108,7 @@ void CombinedTouchpad::runMotors(const std::stop_token& stop) {
     } else {
       motor_half_.monitor.failed(moved.error().message);
     }
+    motor_half_.failing = !moved;
     motor_half_.remember(motors_->whySwitchedOff());
     failures = moved ? 0 : failures + 1;
     if (motor_half_.reportDue(now)) motor_half_.publish(motors_->report());
@@ -125,10 +127,8 @@ Result<TouchpadReadings> CombinedTouchpad::exchange(const control::MotorCommand&
   readings_.ir = sensed.ir;
   readings_.bridge = sensed.bridge;
   readings_.motors = moved_.read();
-  const Message sensors = sensor_half_.monitor.problem(now);
-  const Message motors = motor_half_.monitor.problem(now);
-  if (!sensors.empty() && !motors.empty()) return fail(listed({sensors, motors}));
-  return readings_;
+  if (!sensor_half_.failing || !motor_half_.failing) return readings_;
+  return fail(listed({sensor_half_.monitor.problem(now), motor_half_.monitor.problem(now)}));
 }
 
 Message CombinedTouchpad::complaint() const {

@@ -3,6 +3,7 @@
 // newest readings.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -43,6 +44,7 @@ class CombinedTouchpad final : public Touchpad {
    public:
     Half(Part part, Message waiting) : monitor(part, {}, Duration::max(), std::move(waiting)) {}
     PartMonitor monitor;
+    std::atomic<bool> failing{true};  ///< its last exchange failed, or there was none; a complaint alone is no failure
     /// True ten times a second: the device's report is to be renewed.
     [[nodiscard]] bool reportDue(Instant now);
     void publish(DeviceReport report);
@@ -60,7 +62,7 @@ class CombinedTouchpad final : public Touchpad {
 
   void runSensors(const std::stop_token& stop);
   void runMotors(const std::stop_token& stop);
-  [[nodiscard]] control::MotorCommand commandAt(Instant now);
+  [[nodiscard]] Result<control::MotorFeedback> exchangeWithMotors(Instant now);
 
   std::unique_ptr<Touchpad> sensors_;
   std::unique_ptr<QbmoveMotors> motors_;

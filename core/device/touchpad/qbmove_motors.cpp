@@ -15,6 +15,7 @@ namespace qb = protocol::qbmove;
 constexpr int kFailuresUntilLost = 3;
 constexpr int kActivationEvery = 50;  // exchanges
 constexpr std::string_view kLost = sentence("was lost while its motors were on");
+constexpr std::string_view kNotRenewed = sentence("was switched off because its command was not renewed in time");
 
 std::int16_t percentOf(double duty) {
   return std::isnan(duty) ? std::int16_t{0} : static_cast<std::int16_t>(std::lround(std::clamp(duty, -100.0, 100.0)));
@@ -178,9 +179,10 @@ Result<void> QbmoveMotors::checkActivation() {
               parameters_.qbmove_id, path_);
 }
 
-Result<control::MotorFeedback> QbmoveMotors::exchange(const control::MotorCommand& command) {
+Result<control::MotorFeedback> QbmoveMotors::exchange(const control::MotorCommand& command, bool renewed) {
   if (!command.active) refused_ = false;
   if (command.active && !was_active_) refusal_ = {};
+  if (command.active && !renewed && !refused_) refuse(kNotRenewed);
   was_active_ = command.active;
   if (!port_) {
     if (auto connected = connect(); !connected) {

@@ -30,8 +30,10 @@ class QbmoveMotors {
   /// after the board was lost (gone, or three exchanges in a row without a reply) or has switched its motors off by
   /// itself, the command has to turn inactive first, and until then this is an error. While the command is inactive the
   /// board is told to switch off until it says that it is; that it says otherwise is an error.
+  /// @param renewed false: an old command, whose giver has fallen silent. The motors go off, and what was active has to
+  /// turn inactive first: their return is the operator's
   /// @return an error that names the port, what was missing and the remedy
-  [[nodiscard]] Result<control::MotorFeedback> exchange(const control::MotorCommand& command);
+  [[nodiscard]] Result<control::MotorFeedback> exchange(const control::MotorCommand& command, bool renewed = true);
 
   /// Kind, description, counters and values; the caller fills in rate, age, errors and problem.
   [[nodiscard]] DeviceReport report() const;

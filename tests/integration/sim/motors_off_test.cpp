@@ -171,6 +171,41 @@ TEST_F(MotorsOff, WhyAMotorBoardIsOffIsKnownUntilItIsSwitchedOnAgain) {
   EXPECT_EQ(motors.whySwitchedOff().text(), "");
 }
 
+// Its giver stood still, or waited for other devices that fail.
+TEST_F(MotorsOff, AMotorBoardWhoseCommandWasNotRenewedIsSwitchedOnByTheNextArmOnly) {
+  BoardOnABadLine board(folder.file("board"));
+  device::QbmoveMotors motors(folder.file("board"), parameters);
+  ASSERT_TRUE(motors.exchange({}, false));
+  ASSERT_TRUE(motors.exchange({.active = true}));
+  ASSERT_TRUE(board.on);
+  EXPECT_FALSE(motors.exchange({.active = true}, false));
+  EXPECT_FALSE(board.on);
+  for (int i = 0; i < 5; ++i) {
+    const auto moved = motors.exchange({.active = true});
+    ASSERT_FALSE(moved);
+    EXPECT_THAT(moved.error().text(), testing::HasSubstr("not renewed in time: mend that, then arm again"));
+    EXPECT_FALSE(board.on);
+  }
+  EXPECT_TRUE(motors.exchange({}));
+  ASSERT_TRUE(motors.exchange({.active = true}));
+  EXPECT_TRUE(board.on);
+}
+
+TEST_F(MotorsOff, WhatAMotorBoardWasRefusedForIsNotForgottenWhenItsCommandIsNotRenewed) {
+  BoardOnABadLine board(folder.file("board"));
+  device::QbmoveMotors motors(folder.file("board"), parameters);
+  ASSERT_TRUE(motors.exchange({}));
+  ASSERT_TRUE(motors.exchange({.active = true}));
+  board.on = false;  // by itself
+  Result<control::MotorFeedback> moved = control::MotorFeedback{};
+  for (int i = 0; i < 100 && moved; ++i) moved = motors.exchange({.active = true});
+  ASSERT_FALSE(moved);
+  EXPECT_FALSE(motors.exchange({.active = true}, false));
+  EXPECT_FALSE(motors.exchange({.active = true}));
+  EXPECT_FALSE(board.on);
+  EXPECT_THAT(motors.whySwitchedOff().text(), testing::HasSubstr("by itself"));
+}
+
 TEST_F(MotorsOff, ATouchpadThatDoesNotObeyOffIsSwitchedOffByItsWatchdog) {
   constexpr Duration kCycle = milliseconds(4);
   constexpr Duration kBegins = milliseconds(400);

@@ -280,6 +280,32 @@ TEST(TouchpadProcess, ASilentMotorBoardIsComplainedOfWhileTheSensorsGoOn) {
   })) << touchpad->complaint().text();
 }
 
+/// Answers, and complains of warm motors.
+class WarmTouchpad final : public device::Touchpad {
+ public:
+  [[nodiscard]] Message description() const override { return verbatim("warm"); }
+  [[nodiscard]] Result<device::TouchpadReadings> exchange(const control::MotorCommand&, Instant now) override {
+    readings_.ir.set({}, now);
+    return readings_;
+  }
+  [[nodiscard]] Message complaint() const override { return verbatim("let them cool"); }
+  [[nodiscard]] Duration period() const override { return std::chrono::milliseconds(1); }
+
+ private:
+  device::TouchpadReadings readings_;
+};
+
+TEST(TouchpadProcess, SensorsThatComplainGoOnWhileTheMotorBoardFails) {
+  device::CombinedTouchpad touchpad(std::make_unique<WarmTouchpad>(),
+                                    std::make_unique<device::QbmoveMotors>(scratch("none"), quick()), quick());
+  const std::uint64_t before = firstReadings(touchpad)->ir.count;
+  EXPECT_TRUE(comesTrue("further readings", [&] {
+    const auto readings = touchpad.exchange({}, Clock::now());
+    return readings && readings->ir.count > before;
+  }));
+  EXPECT_EQ(touchpad.complaint().text(), "let them cool");
+}
+
 /// Samples of the distance sensors that arrive in `seconds`.
 std::uint64_t samplesIn(device::Touchpad& touchpad, double seconds) {
   const std::uint64_t before = firstReadings(touchpad)->ir.count;
