@@ -38,6 +38,7 @@ Message DeviceTestRunner::words(End end) {
     case End::beyond_limit: return say("a motor stands beyond control.motor_limit_deg: check the encoder's zero");
     case End::beyond_travel:
       return say("the stretch lies outside control.travel_minimum_deg and control.travel_maximum_deg");
+    case End::beyond_motors: return say("the motion goes beyond control.motor_limit_deg");
   }
   return {};
 }
@@ -139,9 +140,15 @@ void DeviceTestRunner::begin(const pipeline::Inputs& inputs, const pipeline::Out
     return;
   }
   if (device::goesToStretch(test) &&
-      !(stretch_deg >= parameters.travel_minimum_deg && stretch_deg <= parameters.travel_maximum_deg &&
-        stretch_deg <= parameters.motor_limit_deg)) {
+      !(stretch_deg >= parameters.travel_minimum_deg && stretch_deg <= parameters.travel_maximum_deg)) {
     end(End::beyond_travel);
+    return;
+  }
+  const double furthest_deg = test == device::DeviceTest::sweep ? device::kSweepTop_deg
+                              : device::goesToStretch(test)     ? stretch_deg
+                                                                : 0.0;
+  if (furthest_deg > parameters.motor_limit_deg) {
+    end(End::beyond_motors);
     return;
   }
   const auto planned = device::TestMotion::plan(test, motor_deg, parameters.motor_limit_deg, stretch_deg);

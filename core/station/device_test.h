@@ -68,6 +68,7 @@ class DeviceTestRunner {
     not_now,
     beyond_limit,
     beyond_travel,
+    beyond_motors,
   };
   [[nodiscard]] static Message words(End end);
   [[nodiscard]] static End refusal(const pipeline::Inputs& inputs, const pipeline::Outputs& outputs);

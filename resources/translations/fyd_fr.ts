@@ -8396,6 +8396,10 @@ Pour commencer : %1</translation>
         <translation>les millimètres sont sur une droite alors que les pixels n'y sont pas : vérifier les colonnes x_mm et y_mm</translation>
     </message>
     <message>
+        <source>the motion goes beyond control.motor_limit_deg</source>
+        <translation>le mouvement va au-delà de control.motor_limit_deg</translation>
+    </message>
+    <message>
         <source>the motors are in use: stop the session first</source>
         <translation>les moteurs sont utilisés : arrêter d'abord la session</translation>
     </message>

@@ -8396,6 +8396,10 @@ Per cominciare: %1</translation>
         <translation>i millimetri stanno su una retta benché i pixel non vi stiano: controllare le colonne x_mm e y_mm</translation>
     </message>
     <message>
+        <source>the motion goes beyond control.motor_limit_deg</source>
+        <translation>il movimento va oltre control.motor_limit_deg</translation>
+    </message>
+    <message>
         <source>the motors are in use: stop the session first</source>
         <translation>i motori sono in uso: fermare prima la sessione</translation>
     </message>

@@ -59,7 +59,11 @@ Result<TestMotion> TestMotion::plan(DeviceTest test, const std::array<double, co
   TestMotion out;
   out.test_ = test;
   out.rest_deg_ = motor_deg;
+  const auto beyond = [&](double deg) {
+    return fail("stretch {:g}°: beyond control.motor_limit_deg = {:.0f}", deg, motor_limit_deg);
+  };
   if (test == DeviceTest::sweep) {
+    if (!(kSweepTop_deg <= motor_limit_deg)) return beyond(kSweepTop_deg);
     out.rest_deg_ = {};
     out.length_s_ = kSweepLevels * kSweepLevel_s;
     return out;
@@ -74,9 +78,7 @@ Result<TestMotion> TestMotion::plan(DeviceTest test, const std::array<double, co
     return out;
   }
   if (goesToStretch(test)) {
-    if (!(std::abs(stretch_deg) <= motor_limit_deg)) {
-      return fail("stretch {:g}°: beyond control.motor_limit_deg = {:.0f}", stretch_deg, motor_limit_deg);
-    }
+    if (!(std::abs(stretch_deg) <= motor_limit_deg)) return beyond(stretch_deg);
     out.stretch_deg_ = stretch_deg;
     const double way = std::max(std::abs(stretch_deg - motor_deg[0]), std::abs(stretch_deg + motor_deg[1]));
     out.travel_s_ = std::max(kStretchLeast_s, way / kStretchSpeed_deg_s);

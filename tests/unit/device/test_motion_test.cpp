@@ -105,6 +105,12 @@ TEST(TestMotion, ASweepClimbsByStepsAndComesBackAndNeedsNoEncoder) {
   EXPECT_EQ(rests, (std::vector<double>{0, 5, 10, 15, 20, 25, 30, 25, 20, 15, 10, 5, 0}));
 }
 
+TEST(TestMotion, ASweepThatWouldPassTheMotorsLimitIsRefused) {
+  EXPECT_TRUE(TestMotion::plan(DeviceTest::sweep, kRest, kSweepTop_deg));
+  EXPECT_EQ(TestMotion::plan(DeviceTest::sweep, kRest, 20.0).error().text(),
+            "stretch 30°: beyond control.motor_limit_deg = 20");
+}
+
 /// A camera whose driver knows some controls.
 struct Driver {
   std::map<int, double> share;

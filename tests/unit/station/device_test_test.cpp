@@ -200,6 +200,17 @@ TEST(DeviceTestRunner, ASweepBelievesNeitherZeroNorSignButNeedsAMotorThatTurns) 
   EXPECT_FALSE(silent.step());
 }
 
+TEST(DeviceTestRunner, WhatWouldPassTheMotorsLimitDoesNotBegin) {
+  Loop loop;
+  loop.counts.fill(0);
+  loop.parameters.motor_limit_deg = 25.0;
+  for (const DeviceTest test : {DeviceTest::sweep, DeviceTest::stretch}) {
+    ASSERT_TRUE(loop.press(test, 30.0));
+    EXPECT_EQ(loop.run(10), 0);
+    EXPECT_EQ(loop.words(), "the motion goes beyond control.motor_limit_deg");
+  }
+}
+
 TEST(DeviceTestRunner, ASecondPressEndsTheFirstTest) {
   Loop loop;
   ASSERT_TRUE(loop.press(DeviceTest::motor_1));
