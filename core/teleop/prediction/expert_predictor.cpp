@@ -244,6 +244,7 @@ ExpertPredictor::Displacements ExpertPredictor::combined(const Forecasts& foreca
 }
 
 void ExpertPredictor::message(double date_s, const Position& position_mm) {
+  if (!MotionHistory::valid(date_s, position_mm)) return;
   const bool silent = !history_.empty() && date_s - history_.newest().date_s > kSilence_s;
   if (silent) endMotion();
   const double before_s = history_.empty() ? 0.0 : history_.newest().date_s;

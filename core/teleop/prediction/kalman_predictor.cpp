@@ -55,9 +55,7 @@ KalmanPredictor::State KalmanPredictor::stateAfter(double by_s) const {
 }
 
 void KalmanPredictor::message(double date_s, const Position& position_mm) {
-  if (!std::isfinite(date_s) ||
-      !std::ranges::all_of(position_mm, [](double x) { return std::abs(x) <= MotionHistory::kLargestCoordinate_mm; }))
-    return;
+  if (!MotionHistory::valid(date_s, position_mm)) return;
   if (!begun_ || date_s - date_s_ > kSilence_s) {
     begun_ = true;
     state_ = {.x = position_mm, .v = {}, .a = {}};

@@ -5,10 +5,13 @@
 
 namespace fyd::teleop {
 
+bool MotionHistory::valid(double date_s, const Position& position_mm) {
+  return std::isfinite(date_s) &&
+         std::ranges::all_of(position_mm, [](double x) { return std::abs(x) <= kLargestCoordinate_mm; });
+}
+
 MotionHistory::Insertion MotionHistory::insert(double date_s, const Position& position_mm) {
-  const bool valid = std::isfinite(date_s) &&
-                     std::ranges::all_of(position_mm, [](double x) { return std::abs(x) <= kLargestCoordinate_mm; });
-  if (!valid) return Insertion::refused;
+  if (!valid(date_s, position_mm)) return Insertion::refused;
   if (count_ == 0 || date_s > newest().date_s) {
     const bool replaces = count_ > 1 && newest().date_s - back(1).date_s < least_spacing_s_;
     if (!replaces) {

@@ -28,6 +28,8 @@ class FYD_API MotionHistory {
   /// Largest coordinate accepted: squares and sums of such values cannot overflow.
   static constexpr double kLargestCoordinate_mm = 1e9;
 
+  /// Whether a message is finite and not too far away.
+  [[nodiscard]] static bool valid(double date_s, const Position& position_mm);
   /// Refuses a message that is not finite or too far away, that has the date of another, or that is older than all
   /// kept.
   Insertion insert(double date_s, const Position& position_mm);

@@ -46,6 +46,7 @@ double newestSpacing(const MotionHistory& history) {
 }
 
 void PlainPredictor::message(double date_s, const Position& position_mm) {
+  if (!MotionHistory::valid(date_s, position_mm)) return;
   if (!history_.empty() && date_s - history_.newest().date_s > kSilence_s) endMotion();
   if (history_.insert(date_s, position_mm) == MotionHistory::Insertion::refused || slope_factor_ == 0.0) return;
   const double period_s = period_s_ > 0.0 ? period_s_ : newestSpacing(history_);

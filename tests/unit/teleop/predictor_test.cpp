@@ -143,6 +143,20 @@ TEST_P(EachPredictor, AMessageTwiceChangesNothing) {
   }
 }
 
+TEST_P(EachPredictor, AMessageThatIsIgnoredEndsNoMotion) {
+  const auto clean = named(GetParam());
+  const auto disturbed = named(GetParam());
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.01 * i;
+    clean->message(t, {8.0 * std::sin(9.0 * t)});
+    disturbed->message(t, {8.0 * std::sin(9.0 * t)});
+    disturbed->message(t + 5.0, {kNaN});
+    disturbed->message(t + 5.0, {1e12});
+    disturbed->message(kInfinity, {1.0});
+    EXPECT_EQ(clean->predict(t + 0.05), disturbed->predict(t + 0.05)) << i;
+  }
+}
+
 TEST_P(EachPredictor, TheFutureIsNotLookedAt) {
   const auto motion = [](double t) { return 6.0 * std::sin(7.0 * t) + 2.0 * std::sin(23.0 * t); };
   const Trace one = traceOf(3.0, 1000.0, motion);
