@@ -39,7 +39,7 @@ std::optional<DeadbandPacket> DeadbandSender::step(double time_s, const Deadband
     if (channels_[i].moves && std::isfinite(slopes[i])) now.slope[i] = slopes[i];
   }
   if (changed) {
-    repeat_s_ = kFirstRepeat_s;
+    repeat_s_ = std::min(kFirstRepeat_s, refresh_s_);
   } else if (time_s - last.date_s < repeat_s_) {
     return std::nullopt;
   } else {

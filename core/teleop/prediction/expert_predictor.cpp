@@ -362,8 +362,9 @@ Position ExpertPredictor::predict(double time_s) {
 Position ExpertPredictor::velocity(double time_s) const {
   constexpr double kApart_s = 1e-3;
   if (history_.empty()) return {};
-  const double age_s = std::max(time_s - history_.newest().date_s, kApart_s);
-  if (!std::isfinite(age_s)) return {};
+  double age_s = time_s - history_.newest().date_s;
+  if (!std::isfinite(age_s) || age_s < 0.0) return {};  // the prediction is held there
+  age_s = std::max(age_s, kApart_s);
   Position out = displacementAt(age_s);
   const double share = trustFactor(out);
   const Position before = displacementAt(age_s - kApart_s);

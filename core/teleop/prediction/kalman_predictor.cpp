@@ -108,8 +108,9 @@ Position KalmanPredictor::predict(double time_s) {
 }
 
 Position KalmanPredictor::velocity(double time_s) const {
-  if (!begun_) return {};
-  Position out = stateAfter(time_s - date_s_).v;
+  const double age_s = time_s - date_s_;
+  if (!begun_ || !(age_s >= 0.0 && age_s <= kSilence_s)) return {};  // the prediction is held there
+  Position out = stateAfter(age_s).v;
   for (double& each : out) each = std::isfinite(each) ? each : 0.0;
   return out;
 }

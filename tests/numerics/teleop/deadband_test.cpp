@@ -80,6 +80,19 @@ Outcome send(const std::vector<double>& x, const DeadbandChannel& channel, doubl
   return out;
 }
 
+TEST(Deadband, ARefreshShorterThanTheFirstRepeatIsKept) {
+  DeadbandSender sender({}, 0.0055);
+  double last_s = 0.0, longest_s = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const double now_s = 0.001 * i;
+    if (!sender.step(now_s, {1.0})) continue;
+    longest_s = std::max(longest_s, now_s - last_s);
+    last_s = now_s;
+  }
+  EXPECT_NEAR(longest_s, 0.006, 1e-9);
+  EXPECT_GT(last_s, 0.19);
+}
+
 TEST(Deadband, AtTenPercentNineOfTenPacketsOfRecordedForcesAreNotSentAndTheBandHolds) {
   for (const char* file : {"c_free_motion.csv", "d_foam.csv"}) {
     for (const char* name : {"human_force_N", "environment_force_N"}) {

@@ -157,6 +157,25 @@ TEST_P(EachPredictor, AMessageThatIsIgnoredEndsNoMotion) {
   }
 }
 
+TEST_P(EachPredictor, WhereThePredictionIsHeldItsVelocityIsZero) {
+  const auto predictor = named(GetParam());
+  constexpr double kNewest_s = 1.99;
+  for (int i = 0; i < 200; ++i) {
+    predictor->message(0.01 * i, {1.0 * i});
+    static_cast<void>(predictor->predict(0.01 * i + 0.05));
+  }
+  // Before the newest date, as when the clocks differ, and after a long silence.
+  for (const double time_s : {kNewest_s - 0.05, kNewest_s + kSilence_s + 0.5}) {
+    if (predictor->predict(time_s) != predictor->predict(time_s + 0.01)) continue;
+    EXPECT_EQ(predictor->velocity(time_s), Position{}) << time_s;
+  }
+  for (const std::string_view held : {"kalman", "default"}) {
+    if (GetParam() == held) {
+      EXPECT_EQ(predictor->velocity(kNewest_s - 0.05), Position{});
+    }
+  }
+}
+
 TEST_P(EachPredictor, TheFutureIsNotLookedAt) {
   const auto motion = [](double t) { return 6.0 * std::sin(7.0 * t) + 2.0 * std::sin(23.0 * t); };
   const Trace one = traceOf(3.0, 1000.0, motion);
