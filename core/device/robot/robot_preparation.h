@@ -1,6 +1,7 @@
 // What a robot end does before it calls the touchpad: waits until the arm follows, probes the material, and takes the
-// mean acceleration at rest. Pure stepping, in real or virtual time: the caller exchanges `target` with the arm and
-// reports the result with `succeeded` or `failed`.
+// mean acceleration at rest: of 200 measurements, or of those within a second of an arm that measures more slowly than
+// it is asked. Pure stepping, in real or virtual time: the caller exchanges `target` with the arm and reports the result
+// with `succeeded` or `failed`.
 #pragma once
 
 #include "core/device/robot/material_probe.h"
@@ -29,7 +30,8 @@ class RobotPreparation {
   enum class Phase : std::uint8_t { waiting, probing, resting, finished };
 
   void advanceProbe(Instant now);
-  void rest(const Vec3& acceleration_g);
+  void beginRest(Instant now);
+  void rest(const Vec3& acceleration_g, Instant now);
 
   ProbeSettings settings_;
   bool probe_material_;
@@ -43,6 +45,8 @@ class RobotPreparation {
   Vec3 rest_sum_g_;
   int rest_taken_ = 0;
   int rest_tried_ = 0;
+  Instant rest_began_{};
+  Instant taken_{};  // of the newest readings
   Vec3 rest_acceleration_g_;
 };
 

@@ -14,6 +14,8 @@ struct PreparationBench {
   RobotReadings readings{.acceleration_g = {0.1, -0.2, 1.0}};
   double seconds = 0.0;
   double lowest_mm = 0.0;
+  int exchanges_a_measurement = 1;
+  int asked = 0;
 
   explicit PreparationBench(bool probe = true, double known = 0.0) : preparation({}, probe, known) {}
   void succeed(int cycles) {
@@ -21,7 +23,9 @@ struct PreparationBench {
       readings.position_mm = preparation.target();
       lowest_mm = std::min(lowest_mm, readings.position_mm.z);
       readings.force_N = std::max(0.5 * (-2.6 - readings.position_mm.z), 0.0);
-      preparation.succeeded(readings, instantAt(seconds += 0.001));
+      seconds += 0.001;
+      if (++asked % exchanges_a_measurement == 0) readings.taken = instantAt(seconds);
+      preparation.succeeded(readings, instantAt(seconds));
     }
   }
   void fail(int cycles) {
@@ -92,6 +96,30 @@ TEST(RobotPreparation, WithoutAProbeTheKnownStiffnessStands) {
   EXPECT_EQ(bench.preparation.stiffness_N_per_mm(), 0.7);
   EXPECT_EQ(bench.lowest_mm, 0.0);
   EXPECT_EQ(PreparationBench(false, std::numeric_limits<double>::quiet_NaN()).preparation.stiffness_N_per_mm(), 0.0);
+}
+
+// An arm that measures every 5 ms and is asked every millisecond.
+TEST(RobotPreparation, TheRestIsTheMeanOfMeasurementsNotOfExchanges) {
+  PreparationBench bench(false);
+  bench.exchanges_a_measurement = 5;
+  bench.readings.acceleration_g = {0.1, 0.0, 1.0};
+  bench.succeed(500);
+  EXPECT_FALSE(bench.preparation.finished()) << "a hundred measurements";
+  bench.readings.acceleration_g = {0.3, 0.0, 1.0};
+  bench.succeed(1'000);
+  EXPECT_TRUE(bench.preparation.finished());
+  EXPECT_NEAR(bench.preparation.restAcceleration_g().x, 0.2, 0.002);
+}
+
+TEST(RobotPreparation, AnArmThatMeasuresSlowlyRestsForASecond) {
+  for (const int slow : {100, 1'000'000}) {
+    PreparationBench bench(false);
+    bench.exchanges_a_measurement = slow;
+    bench.succeed(10'000);
+    EXPECT_TRUE(bench.preparation.finished()) << slow;
+    EXPECT_NEAR(bench.seconds, 1.0, 0.01) << slow;
+    EXPECT_NEAR(bench.preparation.restAcceleration_g().y, -0.2, 1e-12) << slow;
+  }
 }
 
 TEST(RobotPreparation, AccelerationsThatAreNoNumbersDoNotCount) {
