@@ -32,9 +32,10 @@ SceneGestures::SceneGestures(const SceneDescription& description)
   if (description.ball) {
     ball_game_ = *description.ball;
     const ServeParameters& serve = description.serve;
-    ball_.emplace().ball = {.position_mm = {serve.x_mm, serve.y_mm, serve.z_mm},
-                            .velocity_mm_per_s = {serve.x_mm_per_s, serve.y_mm_per_s, serve.z_mm_per_s},
-                            .spin_rad_per_s = {}};
+    served_ = {.position_mm = {serve.x_mm, serve.y_mm, serve.z_mm},
+               .velocity_mm_per_s = {serve.x_mm_per_s, serve.y_mm_per_s, serve.z_mm_per_s},
+               .spin_rad_per_s = {}};
+    ball_.emplace().ball = served_;
   }
   if (description.palpation) {
     palpation_ = *description.palpation;
@@ -67,6 +68,10 @@ void SceneGestures::play(const Vec3& probe_mm, double dt_s, SceneTouch& touch) {
   RacketPose racket;
   racket.centre_mm = probe_mm;
   const BallStep felt = stepBall(ball_game_, *ball_, racket, dt_s);
+  if (felt.rest == BallRest::on_court) {
+    ball_->ball = served_;
+    ball_->rest = BallRest::flies;
+  }
   // A ball gives an impulse, no depth: depth and stiffness are reported as 0.
   if (length(felt.force_N) > 0.0) add(touch, felt.force_N, felt.point_mm, unit(felt.force_N), 0.0, 0.0);
 }

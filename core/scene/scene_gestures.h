@@ -1,7 +1,8 @@
 // The tele-gesture paper's three gestures in a scene. The haptic point is
 //   swords      the grip of a sword that points along x and rises by kBladesRise_rad, at `fencing.scale` times the
 //               point's position; the other player's rises likewise and does not move
-//   ball        the centre of a racket whose normal points along +z
+//   ball        the centre of a racket whose normal points along +z; a ball that no longer bounces on the court is
+//               served again
 //   palpation   the probe: on the bodies of the scene, or on the plane if the scene has no body
 // Only the gestures that the description names exist.
 // Stability: may change
@@ -65,6 +66,7 @@ class FYD_API SceneGestures {
   SwordParameters sword_;
   FencingParameters fencing_;
   BallParameters ball_game_;
+  BallState served_;
   PalpationParameters palpation_;
   PlaneParameters plane_;
   std::optional<SwordState> swords_;

@@ -121,7 +121,7 @@ struct BallParameters {
   }
 };
 
-/// Where the game begins, and begins again.
+/// Where the game begins, and begins again when the ball no longer bounces on the court.
 struct ServeParameters {
   double x_mm = 0.0, y_mm = 0.0, z_mm = 500.0;
   double x_mm_per_s = 0.0, y_mm_per_s = 0.0, z_mm_per_s = 0.0;

@@ -64,5 +64,28 @@ TEST(GestureScenes, InFencingASwordIsFeltAndHeldOnItsSide) {
   }
 }
 
+TEST(GestureScenes, InTennisTheBallFallsOnARacketThatASessionLeads) {
+  for (const double z_mm : {0.0, -6.0, -60.0}) {
+    FeltScene scene = felt(loaded(textOf("tennis.toml"), {}));
+    double largest_N = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      largest_N = std::max(largest_N, length(scene.step({5.0, 0.0, z_mm}, 1e-3 * i).force_N));
+    }
+    EXPECT_NEAR(largest_N, 6.4, 1e-9) << z_mm;
+  }
+}
+
+TEST(GestureScenes, InTennisABallThatIsLostIsServedAgain) {
+  FeltScene scene = felt(loaded(textOf("tennis.toml"), {}));
+  bool fell = false, served = false;
+  for (int i = 0; i < 8000 && !served; ++i) {
+    scene.step({500.0, 0.0, 0.0}, 1e-3 * i);  // the racket is not beneath
+    const BallState& ball = scene.scene().gestures().ball()->ball;
+    fell = fell || ball.position_mm.z < -900.0;
+    served = fell && ball.position_mm == (Vec3{0.0, 0.0, 500.0}) && ball.velocity_mm_per_s == (Vec3{0.0, 0.0, 1000.0});
+  }
+  EXPECT_TRUE(served);
+}
+
 }  // namespace
 }  // namespace fyd::scene
