@@ -85,7 +85,9 @@ void SceneGestures::palpate(const Vec3& probe_mm, double dt_s, bool with_bodies,
     inputs.measured_N = dot(touch.force_N, touch.normal);
   }
   palpated_ = stepPalpation(palpation_, *palpating_, inputs, dt_s);
-  if (with_bodies) {  // the bodies' normal force is already in touch.force_N
+  if (with_bodies) {  // the bodies' normal force is already in touch.force_N: what is beyond the limit goes
+    const double beyond_N = inputs.measured_N.value_or(0.0) - palpation_.most_force_N;
+    if (beyond_N > 0.0) touch.force_N = touch.force_N - beyond_N * touch.normal;
     touch.force_N = touch.force_N + palpated_->tangential_N;
   } else if (palpated_->touching) {
     const Vec3 normal = unit(inputs.touch.normal);

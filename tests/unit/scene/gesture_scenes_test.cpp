@@ -87,5 +87,16 @@ TEST(GestureScenes, InTennisABallThatIsLostIsServedAgain) {
   EXPECT_TRUE(served);
 }
 
+TEST(GestureScenes, ABodyPushesAProbeNoHarderThanTheLimit) {
+  const std::string text =
+      "[[body]]\nmesh = \"p.obj\"\ncontact = \"facet\"\nstiffness_N_per_mm = 0.5\n[palpation]\nmost_force_N = 3\n";
+  FeltScene scene = felt(loaded(text, {shapes::plane(50.0, 4)}));
+  for (int i = 0; i <= 1000; ++i) {
+    const double depth_mm = 0.02 * i;
+    const SceneTouch touch = scene.step({1.0, 0.3, -depth_mm}, 1e-3 * i);
+    EXPECT_NEAR(touch.force_N.z, std::min(0.5 * depth_mm, 3.0), 1e-9) << depth_mm;
+  }
+}
+
 }  // namespace
 }  // namespace fyd::scene
