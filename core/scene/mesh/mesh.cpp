@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "core/base/portable_math.h"
@@ -12,6 +13,9 @@ namespace {
 
 /// A triangle whose height is less than this share of its longest edge has no normal that means anything.
 constexpr double kFlattest = 1e-12;
+
+/// Stands for a neighbour across an edge of more than two triangles until the mesh is built: no rim, and no way across.
+constexpr std::uint32_t kShared = kNoTriangle - 1;
 
 bool before(const Vec3& a, const Vec3& b) {
   if (a.x != b.x) return a.x < b.x;
@@ -182,6 +186,7 @@ Result<Mesh> Mesh::build(TriangleSoup soup) {
     sort();
     mesh.orientConsistently();
   }
+  for (auto& across : mesh.neighbours_) std::ranges::replace(across, kShared, kNoTriangle);
   mesh.measure();
   return mesh;
 }
@@ -190,7 +195,10 @@ void Mesh::findNeighbours() {
   neighbours_.assign(triangles_.size(), {kNoTriangle, kNoTriangle, kNoTriangle});
   report_.non_manifold_edges = report_.rim_edges = 0;
   forEachEdge(halfEdges(triangles_), [this](std::span<const HalfEdge> edge) {
-    if (edge.size() > 2) ++report_.non_manifold_edges;
+    if (edge.size() > 2) {
+      ++report_.non_manifold_edges;
+      for (const HalfEdge& half : edge) neighbours_[half.triangle][half.side] = kShared;
+    }
     if (edge.size() == 1) ++report_.rim_edges;
     if (edge.size() != 2) return;
     neighbours_[edge[0].triangle][edge[0].side] = edge[1].triangle;
@@ -227,7 +235,7 @@ void Mesh::orientConsistently() {
         for (std::size_t side = 0; side < 3; ++side) {
           const std::uint32_t other = neighbours_[t][side];
           if (other == kNoTriangle) ++rims;
-          if (other == kNoTriangle || turn[other] != 0) continue;
+          if (other == kNoTriangle || other == kShared || turn[other] != 0) continue;
           // Two triangles of the same orientation go along their common edge in opposite directions.
           if (goesFrom(other, triangles_[t][side], triangles_[t][(side + 1) % 3])) {
             against_it.emplace_back(t, other);
@@ -251,7 +259,7 @@ void Mesh::orientConsistently() {
     }
     ++report_.pieces;
     rim_edges += rims;
-    if (rims == 0) {
+    if (rims == 0 && closes(piece)) {
       report_.volume_mm3 += volume_mm3;
       report_.inside_out += volume_mm3 < 0.0 ? 1 : 0;
     }
@@ -274,6 +282,21 @@ void Mesh::orientConsistently() {
     }
   }
   for (std::uint32_t v = 0; v < root.size(); ++v) report_.holes += at_rim[v] && rootOf(v) == v ? 1 : 0;
+}
+
+/// Whether a piece without a rim is closed: at edges of more than two triangles it meets itself, as often in one
+/// direction as in the other. A wall within a body has such edges only, and encloses nothing.
+bool Mesh::closes(std::span<const std::uint32_t> piece) const {
+  if (report_.non_manifold_edges == 0) return true;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> surplus;  // of one direction
+  for (const std::uint32_t t : piece) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      if (neighbours_[t][side] != kShared) continue;
+      const std::uint32_t from = triangles_[t][side], to = triangles_[t][(side + 1) % 3];
+      surplus[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
+    }
+  }
+  return std::ranges::all_of(surplus, [](const auto& edge) { return edge.second == 0; });
 }
 
 void Mesh::measure() {

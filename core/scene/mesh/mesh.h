@@ -35,10 +35,10 @@ struct MeshReport {
   std::size_t degenerate_triangles = 0;  ///< without an area, left out
   std::size_t duplicate_triangles = 0;   ///< of the same three vertices, left out
   std::size_t flipped_triangles = 0;     ///< turned to the orientation of most triangles of their piece
-  std::size_t non_manifold_edges = 0;    ///< of more than two triangles; each is treated as a rim there
+  std::size_t non_manifold_edges = 0;    ///< of more than two triangles, which are not neighbours across it
   std::size_t holes = 0;                 ///< closed loops of edges with one triangle
   std::size_t rim_edges = 0;             ///< edges with one triangle
-  std::size_t pieces = 0;                ///< not connected
+  std::size_t pieces = 0;                ///< not connected by edges of two triangles
   std::size_t inside_out = 0;            ///< closed pieces whose normals point inwards: not mended
   Vec3 lowest_mm, highest_mm;
   double shortest_edge_mm = 0.0, mean_edge_mm = 0.0, longest_edge_mm = 0.0;
@@ -59,7 +59,7 @@ class FYD_API Mesh {
   [[nodiscard]] std::span<const Vec3> vertices() const { return vertices_; }
   [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
   [[nodiscard]] const MeshReport& report() const { return report_; }
-  /// Across the edges 01, 12 and 20; kNoTriangle at a rim.
+  /// Across the edges 01, 12 and 20; kNoTriangle at a rim and at an edge of more than two triangles.
   [[nodiscard]] const std::array<std::uint32_t, 3>& neighbours(std::uint32_t triangle) const {
     return neighbours_[triangle];
   }
@@ -73,6 +73,7 @@ class FYD_API Mesh {
  private:
   void findNeighbours();
   void orientConsistently();
+  [[nodiscard]] bool closes(std::span<const std::uint32_t> piece) const;
   void measure();
 
   std::vector<Vec3> vertices_;

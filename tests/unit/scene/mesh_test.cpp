@@ -53,6 +53,59 @@ TEST(Mesh, AMissingTriangleIsAHoleWithThreeRims) {
   EXPECT_EQ(mesh->report().holes, 1U);
 }
 
+/// Two cubes that touch along one edge, which four triangles have.
+TriangleSoup twoCubesAlongAnEdge() {
+  TriangleSoup soup = cube();
+  const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+  for (const Vec3& v : cube().vertices) soup.vertices.push_back(v + Vec3{1.0, 1.0, 0.0});
+  for (const Triangle& t : cube().triangles) soup.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return soup;
+}
+
+TEST(Mesh, BodiesThatShareAnEdgeAreClosed) {
+  const auto mesh = Mesh::build(twoCubesAlongAnEdge());
+  ASSERT_TRUE(mesh.has_value());
+  const MeshReport& r = mesh->report();
+  EXPECT_EQ(r.non_manifold_edges, 1U);
+  EXPECT_EQ(r.pieces, 2U);
+  EXPECT_EQ(r.rim_edges + r.holes + r.inside_out + r.flipped_triangles, 0U);
+  EXPECT_NEAR(r.volume_mm3, 2.0, 1e-12);
+  std::size_t open = 0;
+  for (std::uint32_t t = 0; t < r.triangles; ++t) {
+    for (const std::uint32_t other : mesh->neighbours(t)) {
+      EXPECT_TRUE(other < r.triangles || other == kNoTriangle) << other;
+      open += other == kNoTriangle ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(open, 4U) << "nothing is a neighbour across the edge";
+}
+
+TEST(Mesh, AnInsideOutBodyIsNoticedThoughItSharesAnEdge) {
+  TriangleSoup soup = twoCubesAlongAnEdge();
+  for (std::size_t t = 12; t < 24; ++t) std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+  const auto mesh = Mesh::build(soup);
+  ASSERT_TRUE(mesh.has_value());
+  EXPECT_EQ(mesh->report().inside_out, 1U);
+  EXPECT_EQ(mesh->report().holes, 0U);
+}
+
+TEST(Mesh, AWallWithinABodyEnclosesNothing) {
+  TriangleSoup soup = cube();  // its two diagonals x = z, at y = 0 and 1, lie in one plane
+  soup.triangles.push_back({0, 5, 7});
+  soup.triangles.push_back({0, 7, 2});
+  // The faces y = 0 and y = 1 are cut along that plane.
+  soup.triangles[4] = {0, 1, 5};
+  soup.triangles[5] = {0, 5, 4};
+  soup.triangles[6] = {2, 7, 3};
+  soup.triangles[7] = {2, 6, 7};
+  const auto mesh = Mesh::build(soup);
+  ASSERT_TRUE(mesh.has_value());
+  const MeshReport& r = mesh->report();
+  EXPECT_EQ(r.non_manifold_edges, 4U);
+  EXPECT_EQ(r.rim_edges + r.holes + r.inside_out, 0U);
+  EXPECT_EQ(r.volume_mm3, 0.0) << "no piece is closed by itself";
+}
+
 TEST(Mesh, NothingToTouchIsSaid) {
   EXPECT_FALSE(Mesh::build({}).has_value());
   TriangleSoup soup;
