@@ -15,7 +15,7 @@ namespace {
 
 Digest digestOfLocalModel(const std::optional<texture::VirtualTexture>& surface, const scene::FeltScene* scene) {
   std::string text = surface ? formatSurface(surface->model()) : "";
-  if (scene != nullptr) text += scene->digest();
+  if (scene != nullptr) text += scene->digestOfState();
   return digestOf(text);
 }
 

@@ -1,5 +1,6 @@
 #include "core/scene/felt_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +30,9 @@ FeltScene::FeltScene(std::shared_ptr<const LoadedScene> loaded, std::vector<Body
       models_(std::move(models)),
       rate_Hz_(rate_Hz),
       digest_(digestOf(*loaded_)),
+      digest_of_state_(std::ranges::any_of(loaded_->textures, [](const auto& each) { return each.has_value(); })
+                           ? digestOf(*loaded_, SurfaceNames::hashed)
+                           : digest_),
       scene_(std::move(scene)) {
   for (const auto& texture : loaded_->textures) {
     auto& to = textures_.emplace_back();

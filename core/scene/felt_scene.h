@@ -41,6 +41,8 @@ class FYD_API FeltScene {
   [[nodiscard]] double rate_Hz() const { return rate_Hz_; }
   /// Of what is felt: two scenes with the same digest feel the same.
   [[nodiscard]] const std::string& digest() const { return digest_; }
+  /// The same with the names of stored surfaces, for a saved state.
+  [[nodiscard]] const std::string& digestOfState() const { return digest_of_state_; }
 
   /// All that the next steps depend on.
   template <class Archive>
@@ -59,7 +61,7 @@ class FYD_API FeltScene {
   std::shared_ptr<const LoadedScene> loaded_;
   std::vector<BodyModel> models_;
   double rate_Hz_;
-  std::string digest_;
+  std::string digest_, digest_of_state_;
   Scene scene_;
   std::vector<std::optional<texture::VirtualTexture>> textures_;  // of each body
   Vec3 probe_mm_;

@@ -56,7 +56,7 @@ class Hash {
 
 }  // namespace
 
-std::string digestOf(const LoadedScene& scene) {
+std::string digestOf(const LoadedScene& scene, SurfaceNames names) {
   const SceneDescription& d = scene.description;
   Hash hash;
   hash.addValues(d.settings);
@@ -76,7 +76,9 @@ std::string digestOf(const LoadedScene& scene) {
     hash.addValues(d.bodies[i]);
     hash.add(scene.meshes[i]->mesh.vertices());
     hash.add(scene.meshes[i]->mesh.triangles());
-    hash.add(scene.textures[i] ? formatSurface(*scene.textures[i]) : std::string{});
+    std::optional<texture::SurfaceModel> surface = scene.textures[i];
+    if (surface && names == SurfaceNames::left_out) surface->name = surface->description = {};
+    hash.add(surface ? formatSurface(*surface) : std::string{});
   }
   return hash.hexadecimal();
 }

@@ -7,8 +7,13 @@
 
 namespace fyd::scene {
 
+enum class SurfaceNames { left_out, hashed };
+
 /// BLAKE2b [RFC 7693], 16 bytes in hexadecimal, of every value of the description, the meshes' vertices and triangles
-/// as they are stepped, and the stored surfaces. Comments, key order, names and paths have no influence.
-[[nodiscard]] std::string digestOf(const LoadedScene& scene);
+/// as they are stepped, and the stored surfaces. Comments, the order of keys, names and paths have no influence; that of
+/// bodies has, as of two equal forces the first is reported.
+/// @param names of stored surfaces and their descriptions: hashed only for states that recordings hold, which would not
+/// be known again otherwise
+[[nodiscard]] std::string digestOf(const LoadedScene& scene, SurfaceNames names = SurfaceNames::left_out);
 
 }  // namespace fyd::scene

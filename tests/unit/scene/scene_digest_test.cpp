@@ -31,6 +31,19 @@ TEST(SceneDigest, TellsApartWhatFeelsOtherwise) {
               shapes::bumps(10)));
 }
 
+TEST(SceneDigest, AStoredSurfacesNameCountsOnlyForASavedState) {
+  texture::SurfaceModel other = ribbed();
+  other.name = "a copy of ribbed";
+  other.description = "by hand";
+  const auto one = loaded(kScene, {shapes::bumps(10)}, ribbed()), two = loaded(kScene, {shapes::bumps(10)}, other);
+  EXPECT_EQ(digestOf(*one), digestOf(*two));
+  EXPECT_NE(felt(one).digestOfState(), felt(two).digestOfState());
+  other.bands[0].rms_g = 0.31;
+  EXPECT_NE(digestOf(*one), digestOf(*loaded(kScene, {shapes::bumps(10)}, other)));
+  const auto plain = loaded(kScene, {shapes::bumps(10)});
+  EXPECT_EQ(felt(plain).digestOfState(), digestOf(*plain));
+}
+
 /// A literal from another run: of every machine and compiler the same.
 TEST(SceneDigest, IsTheSameEverywhere) {
   EXPECT_EQ(digestOf(*loaded(kScene, {shapes::box(1.0, 2.0, 3.0)})), "e7e92ced19dcd255d9746699ac305ec6");
