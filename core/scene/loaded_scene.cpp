@@ -1,14 +1,6 @@
 #include "core/scene/loaded_scene.h"
 
-#include <algorithm>
-
 namespace fyd::scene {
-
-bool needsWalkableMesh(const SceneDescription& description, const BodyDescription& of) {
-  return std::ranges::any_of(description.bodies, [&of](const BodyDescription& body) {
-    return !body.soft && body.mesh == of.mesh && body.unit == of.unit;
-  });
-}
 
 Result<std::vector<BodyChoice>> chooseModels(const LoadedScene& scene) {
   if (auto checked = checkMeshes(scene.description, scene.meshes); !checked) return tl::unexpected(checked.error());

@@ -23,8 +23,15 @@ struct LoadedScene {
   std::vector<std::optional<texture::SurfaceModel>> textures;  ///< of each body
 };
 
-/// Whether any rigid body of the description uses this body's mesh: its SearchedMesh then needs `walkable`.
-[[nodiscard]] FYD_API bool needsWalkableMesh(const SceneDescription& description, const BodyDescription& of);
+/// Whether any rigid body of the description uses a mesh: its SearchedMesh then needs `walkable`.
+/// @param uses whether a body, by its place in the description, uses it: one file may be named in several ways
+template <class Uses>
+[[nodiscard]] bool needsWalkableMesh(const SceneDescription& description, Uses uses) {
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    if (!description.bodies[i].soft && uses(i)) return true;
+  }
+  return false;
+}
 
 /// What the description leaves open: chosen by trials for the scene's accuracy; vicinity and kUsualPoints without one.
 struct BodyChoice {

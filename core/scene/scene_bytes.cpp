@@ -57,8 +57,9 @@ Result<FeltScene> unpack(const json& from) {
       auto mesh = Mesh::build({.vertices = itemsOf<Vec3>(stored.at("vertices_mm"), "vertices_mm"),
                                .triangles = itemsOf<Triangle>(stored.at("triangles"), "triangles")});
       if (!mesh) return tl::unexpected(mesh.error());
-      meshes[which] = std::make_shared<const SearchedMesh>(
-          std::move(*mesh), needsWalkableMesh(loaded->description, loaded->description.bodies[i]));
+      const bool walks = needsWalkableMesh(
+          loaded->description, [&](std::size_t k) { return bodies.at(k).at("mesh").get<std::size_t>() == which; });
+      meshes[which] = std::make_shared<const SearchedMesh>(std::move(*mesh), walks);
     }
     loaded->meshes.push_back(meshes[which]);
     auto& texture = loaded->textures.emplace_back();

@@ -43,13 +43,18 @@ Result<scene::LoadedScene> openScene(const std::string& given) {
   if (name.empty()) name = std::filesystem::path(path).filename().string();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::map<std::pair<std::string, scene::LengthUnit>, std::shared_ptr<const scene::SearchedMesh>> known;
+  const auto meshOf = [&folder](const scene::BodyDescription& body) {
+    return std::pair((folder / body.mesh).string(), body.unit);
+  };
   for (const scene::BodyDescription& body : out.description.bodies) {
-    const std::string file = (folder / body.mesh).string();
-    auto& mesh = known[{file, body.unit}];
+    const auto file = meshOf(body);
+    auto& mesh = known[file];
     if (!mesh) {
-      auto read = openMesh(file, body.unit);
+      auto read = openMesh(file.first, file.second);
       if (!read) return fail(about(path, read.error().message));
-      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read), needsWalkableMesh(out.description, body));
+      const bool walks =
+          needsWalkableMesh(out.description, [&](std::size_t i) { return meshOf(out.description.bodies[i]) == file; });
+      mesh = std::make_shared<const scene::SearchedMesh>(std::move(*read), walks);
     }
     out.meshes.push_back(mesh);
     auto& texture = out.textures.emplace_back();
