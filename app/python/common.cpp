@@ -52,15 +52,41 @@ std::vector<py::str> textOf(const std::vector<std::string>& texts) {
   return out;
 }
 
+void refuseMask(const py::handle& given) {
+  if (py::hasattr(given, "mask") && py::hasattr(given, "filled") && given.attr("mask").attr("any")().cast<bool>())
+    throw py::type_error("a mask hides some of these numbers; expected all, as of filled(numpy.nan)");
+}
+
+bool isTruth(const py::handle& value) {
+  return py::isinstance<py::bool_>(value) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
+}
+
+bool isRealNumber(const py::handle& value) {
+  if (PyFloat_Check(value.ptr()) != 0 || PyLong_Check(value.ptr()) != 0) return true;
+  if (PyUnicode_Check(value.ptr()) != 0 || PyComplex_Check(value.ptr()) != 0) return false;
+  // NumPy's scalars of every kind, texts and dates too, say that they are a number.
+  const py::object dtype = py::getattr(value, "dtype", py::none());
+  if (py::hasattr(dtype, "kind"))
+    return std::string_view("biuf").find(py::str(dtype.attr("kind")).cast<std::string>()) != std::string_view::npos;
+  return py::hasattr(value, "__index__") || py::hasattr(value, "__float__");
+}
+
 namespace {
 
 py::array realNumbers(const py::handle& given) {
-  if (py::hasattr(given, "mask") && py::hasattr(given, "filled") && given.attr("mask").attr("any")().cast<bool>())
-    throw py::type_error("a mask hides some of these numbers; expected all, as of filled(numpy.nan)");
+  refuseMask(given);
   auto array = py::array::ensure(given);
-  if (array && std::string_view("biufO").find(array.dtype().kind()) == std::string_view::npos)
+  if (!array) return array;
+  const char kind = array.dtype().kind();
+  if (std::string_view("biufO").find(kind) == std::string_view::npos)
     throw py::type_error(
         fmt::format("an array of {}; expected real numbers", std::string(py::str(py::object(array.dtype())))));
+  if (kind == 'O') {  // NumPy makes numbers of texts in it, and NaN of None
+    for (const auto& item : array.attr("flat"))
+      if (!isRealNumber(item))
+        throw py::type_error(
+            fmt::format("an array with {}; expected real numbers", std::string(py::str(py::repr(item)))));
+  }
   return array;
 }
 

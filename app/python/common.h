@@ -107,6 +107,14 @@ class Hdf5Turn {
 [[nodiscard]] py::str textOf(const std::string& text);
 [[nodiscard]] std::vector<py::str> textOf(const std::vector<std::string>& texts);
 
+/// @throws py::type_error for an array whose mask hides something: what takes arrays would take what lies beneath
+void refuseMask(const py::handle& given);
+/// Python's bool or NumPy's.
+[[nodiscard]] bool isTruth(const py::handle& value);
+/// Whether Python and NumPy make a real number of it and nothing of it is lost or read out of a text: neither a complex
+/// number, nor a date or a span of time, both of which NumPy would convert.
+[[nodiscard]] bool isRealNumber(const py::handle& value);
+
 /// An array of numbers, or what makes one: none of it is left out in silence, neither what a mask hides nor the
 /// imaginary part of a complex number. @throws py::type_error
 class Numbers : public py::array_t<double, py::array::c_style | py::array::forcecast> {

@@ -37,11 +37,18 @@ template <class V>
   }
 }
 
+/// Python would make a number of a text, of a part of a complex number, and a whole one of a fraction.
+template <class V>
+[[nodiscard]] V numberFrom(const py::handle& from) {
+  if (!isRealNumber(from) || (std::is_integral_v<V> && PyIndex_Check(from.ptr()) == 0)) throw py::cast_error();
+  return from.cast<V>();
+}
+
 /// @param name for the message
 template <class V>
 void fromPython(std::string_view name, const py::handle& from, V& value) {
   if constexpr (std::is_same_v<V, Instant>) {
-    value = Instant(Duration(from.cast<std::int64_t>()));
+    value = Instant(Duration(numberFrom<std::int64_t>(from)));
   } else if constexpr (kIsBatch<V>) {
     const auto items = from.cast<py::sequence>();
     if (items.size() > V::capacity())
@@ -60,6 +67,8 @@ void fromPython(std::string_view name, const py::handle& from, V& value) {
     V out{};
     for (std::size_t i = 0; i < out.size(); ++i) fromPython(name, py::object(items[i]), out[i]);
     value = out;
+  } else if constexpr (std::is_arithmetic_v<V> && !std::is_same_v<V, bool>) {
+    value = numberFrom<V>(from);
   } else {
     value = from.cast<V>();
   }
@@ -68,6 +77,7 @@ void fromPython(std::string_view name, const py::handle& from, V& value) {
 /// A value that Python has no such number for, as of another type or too large: the message of Python's own.
 template <class V>
 void assignField(std::string_view name, const py::handle& from, V& value) {
+  refuseMask(from);
   try {
     fromPython(name, from, value);
   } catch (const py::cast_error&) {

@@ -63,16 +63,23 @@ double numberOf(const Parameter& parameter, const py::handle& value) {
 
 std::string numberText(const Parameter& parameter, const py::handle& value) {
   const auto number = py::reinterpret_borrow<py::object>(value);
-  if (!py::isinstance<py::bool_>(value)) {
+  if (!isTruth(value) && isRealNumber(value)) {
     if (py::hasattr(value, "__index__")) {
       const py::int_ whole(number);
       (void)numberOf(parameter, whole);
       return py::repr(whole);
     }
-    if (py::hasattr(value, "__float__")) return py::repr(py::float_(number));
+    return py::repr(py::float_(number));
   }
   throw py::type_error(fmt::format("{}: {}: no number, truth value, text or list of numbers", parameter.id,
                                    std::string(py::repr(value))));
+}
+
+/// Of an array without an axis its only value, which NumPy gives back for one that is read out of a file or a sum.
+py::object plain(const py::handle& value) {
+  refuseMask(value);
+  const bool one = py::isinstance<py::array>(value) && py::reinterpret_borrow<py::array>(value).ndim() == 0;
+  return one ? py::object(value.attr("__getitem__")(py::tuple())) : py::reinterpret_borrow<py::object>(value);
 }
 
 /// None: no text, or with half of a surrogate pair, as the name of a file that is no UTF-8 has it.
@@ -91,10 +98,14 @@ std::string idOf(const py::handle& key) {
   throw py::type_error(fmt::format("{}: expected a name, as \"control.kp\"", std::string(py::repr(key))));
 }
 
-std::string written(const Parameter& parameter, const py::handle& value) {
-  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+std::string written(const Parameter& parameter, const py::handle& given) {
+  const py::object value = plain(given);
+  if (isTruth(value)) return PyObject_IsTrue(value.ptr()) == 1 ? "true" : "false";
   if (auto text = utf8Of(value)) return *std::move(text);
-  if (py::hasattr(value, "__iter__") && !py::isinstance<py::str>(value)) {
+  // Of bytes and dicts the items are numbers that nobody gave as a list.
+  const bool other = py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) ||
+                     py::isinstance<py::bytearray>(value) || py::isinstance<py::dict>(value);
+  if (py::hasattr(value, "__iter__") && !other) {
     // Numbers only, for a list may contain itself; and one more than a list holds, which is then told of.
     std::string out;
     std::size_t count = 0;
@@ -107,7 +118,8 @@ std::string written(const Parameter& parameter, const py::handle& value) {
   return numberText(parameter, value);
 }
 
-void assign(const Parameter& parameter, const py::handle& value) {
+void assign(const Parameter& parameter, const py::handle& given) {
+  const py::object value = plain(given);
   const bool number = py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value);
   if (number && !py::isinstance<py::bool_>(value) &&
       (parameter.kind == ParameterKind::real || parameter.kind == ParameterKind::integer)) {

@@ -22,6 +22,7 @@ struct Seen {
 };
 
 Seen seen(const py::array& picture) {
+  refuseMask(picture);
   const bool fits = picture.dtype().equal(py::dtype::of<std::uint8_t>()) &&
                     (picture.ndim() == 2 || (picture.ndim() == 3 && (picture.shape(2) == 1 || picture.shape(2) == 3)));
   if (!fits)

@@ -135,6 +135,38 @@ def test_a_list_holds_numbers_and_no_more_than_it_may():
     assert parameters[lists] == before
 
 
+def test_a_list_of_what_would_be_taken_in_silence_is_refused():
+    parameters = fyd.Parameters()
+    lists = next(name for name in parameters if fyd.Parameters.info(name).kind == "list")
+    before = parameters[lists]
+    for wrong in (np.array([1 + 2j, 2]), np.array(["1", "2"]), np.array([1, 2], "m8[s]"), np.array(["1", 2], object), b"abc",
+                  bytearray(b"abc"), {1: 5, 2: 6}, np.ma.masked_greater([1.0, 2.0], 1.5)):
+        with pytest.raises(TypeError):
+            parameters[lists] = wrong
+    assert parameters[lists] == before
+
+
+def test_one_value_of_numpy_s_is_what_it_is():
+    """NumPy's truth values, texts, dates and complex numbers all say that they are numbers."""
+    parameters = fyd.Parameters({"sensing.finger_mirror": np.bool_(True), "control.kp": np.array(1.5),
+                                 "texture.method": np.array("soc"), "sensing.roi_x_px": np.array(3)})
+    assert parameters["sensing.finger_mirror"] is True and parameters["control.kp"] == 1.5
+    assert parameters["texture.method"] == "soc" and parameters["sensing.roi_x_px"] == 3
+    parameters["sensing.finger_mirror"] = np.array(False)
+    assert parameters["sensing.finger_mirror"] is False
+    before = parameters["control.kp"]
+    for wrong in (np.bool_(True), True):
+        with pytest.raises(fyd.InvalidValue, match="control.kp"):
+            parameters["control.kp"] = wrong
+    for wrong in (np.complex128(1 + 2j), 1 + 2j, np.array(1j), np.timedelta64(1, "s"), np.datetime64(1, "s"), b"1",
+                  np.bytes_(b"1"), np.ma.masked, np.ma.array(1.5, mask=True)):
+        with pytest.raises(TypeError):
+            parameters["control.kp"] = wrong
+    with pytest.raises(fyd.InvalidValue, match="(?i)control.kp.*nan"):
+        parameters["control.kp"] = np.array(np.nan)
+    assert parameters["control.kp"] == before
+
+
 def test_a_list_may_be_any_iterable():
     lists = next(name for name in fyd.Parameters() if fyd.Parameters.info(name).kind == "list")
     wanted = (fyd.Parameters.info(lists).minimum,) * 3

@@ -230,6 +230,25 @@ def test_inputs_of_a_wrong_type_or_number_are_named():
     assert inputs.ir.counts == () and inputs.commands == ()
 
 
+def test_inputs_are_real_numbers_of_which_nothing_is_left_out():
+    inputs = fyd.Inputs()
+    for wrong in (np.complex128(1 + 2j), "1", np.str_("1"), None, np.timedelta64(1, "s"), np.ma.masked):
+        with pytest.raises(TypeError):
+            inputs.bridge.value_mV_per_V = wrong
+        with pytest.raises(TypeError):
+            inputs.now_ns = wrong
+    for wrong in (np.ma.masked_greater([1, 2], 1), np.array([1.5, 2], np.float32), np.array(["1", "2"]), ["1", "2"],
+                  np.array([1j, 2])):
+        with pytest.raises(TypeError):
+            inputs.ir.counts = wrong
+    with pytest.raises(TypeError, match="a mask hides some"):
+        inputs.motors.set(0, current_mA=np.ma.array([1.0, 2.0], mask=[True, False]))
+    assert inputs.ir.counts == () and inputs.now_ns == 0 and inputs.motors.current_mA == (0, 0)
+    inputs.ir.counts = np.ma.array([1, 2], np.uint16)
+    inputs.motors.set(np.int64(5), current_mA=np.array([1.5, 2], np.float32), encoder_counts=np.array([3, 4], np.uint16))
+    assert inputs.ir.counts == (1, 2) and inputs.motors.current_mA == (1.5, 2) and inputs.motors.encoder_counts == (3, 4)
+
+
 @pytest.mark.parametrize("name, one", [("commands", fyd.OperatorCommand(action=fyd.OperatorAction.stop)),
                                        ("changes", fyd.ParameterChange(index=1, value=2)),
                                        ("accelerations", fyd.AccelerationSample(z_g=1)),

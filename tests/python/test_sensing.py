@@ -86,6 +86,17 @@ def test_another_shape_or_type_is_named(wrong):
         fyd.FingerDetector().detect(wrong)
 
 
+def test_a_picture_with_a_mask_is_refused():
+    """What lies beneath it would be looked at."""
+    masked = np.ma.array(picture(150.0, 120.0), mask=False)
+    assert fyd.FingerDetector().detect(masked).contact
+    masked[100:140, 130:170] = np.ma.masked
+    with pytest.raises(TypeError, match="a mask hides some"):
+        fyd.FingerDetector().detect(masked)
+    with pytest.raises(TypeError, match="a mask hides some"):
+        fyd.FingerDetector().detect_all([picture(150.0, 120.0), masked])
+
+
 def test_several_pictures_give_columns():
     places = [(110.0 + 10 * i, 100.0 + 5 * i) for i in range(8)]
     pictures = np.stack([picture(*place) for place in places])

@@ -1,5 +1,7 @@
 """Filters and spectra against SciPy, textures against what their definitions give."""
 import math
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -75,6 +77,10 @@ def test_another_shape_is_named(wrong):
         (["1.5"] * 600, "<U3"),
         (np.full(600, "2026", "M8[Y]"), "datetime64"),
         (np.ma.masked_greater(np.arange(600.0), 300.0), "a mask hides some"),
+        (np.array(["1.5"] * 600, object), "an array with '1.5'"),
+        ([1.5] * 599 + [None], "an array with None"),
+        (np.array([1j] * 600, object), "an array with 1j"),
+        (np.array([np.datetime64("2026")] * 600, object), "an array with numpy.datetime64"),
     ],
 )
 def test_what_would_be_left_out_in_silence_is_refused(numbers, told):
@@ -85,6 +91,8 @@ def test_what_would_be_left_out_in_silence_is_refused(numbers, told):
 def test_numbers_of_any_real_kind_are_taken():
     numbers = np.arange(600) % 7
     wanted = fyd.welch(numbers.astype(float), 1000.0, 256)
+    assert np.array_equal(fyd.welch([Fraction(int(each)) for each in numbers], 1000.0, 256), wanted)
+    assert np.array_equal(fyd.welch([Decimal(int(each)) for each in numbers], 1000.0, 256), wanted)
     for same in (numbers, numbers.astype(np.float32), numbers.astype(object), numbers.tolist(), np.ma.array(numbers),
                  numbers.astype(np.int8)[::-1][::-1]):
         assert np.array_equal(fyd.welch(same, 1000.0, 256), wanted)
