@@ -59,6 +59,9 @@ class FaultPlan {
   [[nodiscard]] bool active(TouchpadFault fault, Instant now) const;
   /// How many faults of this kind have begun: for those that happen once.
   [[nodiscard]] int begun(TouchpadFault fault, Instant now) const;
+  /// The same of those without a duration, which are over with the first that meets them: one with a duration is not
+  /// made up for after its end by whoever asks then.
+  [[nodiscard]] int begunForOnce(TouchpadFault fault, Instant now) const;
 
  private:
   struct Shared {

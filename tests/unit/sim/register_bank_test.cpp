@@ -203,6 +203,24 @@ TEST(TouchpadElectronics, ABrownOutRestartsItWithTheMotorsOff) {
   EXPECT_LT(image[addressOf("uptime")], 3) << "its clock began anew";
 }
 
+TEST(TouchpadElectronics, ALateReplyIsLateForItsTimeAndWithoutATimeOnce) {
+  const auto with = [](const char* fault) {
+    return std::make_unique<TouchpadElectronics>(
+        std::make_shared<TouchpadWorld>(SimParameters{}, FingerPath::demonstration(), at(0.0)),
+        FaultPlan({*parseTimedFault(fault)}, at(0.0)), MotorBoardOptions{}, at(0.0));
+  };
+  const auto unasked = with("late-reply@1+0.5");
+  EXPECT_FALSE(unasked->answersLate(at(0.9)));
+  EXPECT_FALSE(unasked->answersLate(at(3.0))) << "nobody asked while it lasted";
+  const auto asked = with("late-reply@1+0.5");
+  for (const double t : {1.0, 1.2, 1.4}) EXPECT_TRUE(asked->answersLate(at(t))) << t;
+  EXPECT_FALSE(asked->answersLate(at(1.6)));
+  const auto once = with("late-reply@1");
+  EXPECT_FALSE(once->answersLate(at(0.9)));
+  EXPECT_TRUE(once->answersLate(at(3.0))) << "the first that asks";
+  EXPECT_FALSE(once->answersLate(at(3.1)));
+}
+
 TEST(TouchpadFault, ReadsTimesAndNamesWhatItExpected) {
   EXPECT_EQ(parseTimedFault("silence@2.5+1")->for_s, 1.0);
   EXPECT_EQ(parseTimedFault("late-reply@2")->for_s, 0.0);
