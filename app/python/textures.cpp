@@ -220,6 +220,9 @@ void addTextures(py::module_& module) {
         if (signal.size() != axes.x.size())
           throw Refusal{
               fmt::format("signal_g: {} values for {} rows of accelerations_g", signal.size(), axes.x.size())};
+        for (std::size_t i = 0; i < signal.size(); ++i)  // one of them would make both figures NaN or 0
+          if (!std::isfinite(signal[i]))
+            throw Refusal{fmt::format("signal_g: row {} is {}; expected finite numbers", i, signal[i])};
         if (delay_samples < 0) throw Refusal{fmt::format("delay_samples: {}; expected 0 or more", delay_samples)};
         const double rate = checkedRate(rate_Hz);
         const texture::MatchFigures figures = [&] {

@@ -220,5 +220,10 @@ def test_a_signal_matches_itself():
     assert not np.isnan(fyd.spectral_match(axes, axes[:, 0], len(axes) - 8)).any()
     with pytest.raises(fyd.InvalidValue, match="signal_g"):
         fyd.spectral_match(axes, axes[:10, 0])
+    for wrong in (math.nan, math.inf, -math.inf):
+        signal_g = axes[:, 0].copy()
+        signal_g[5] = wrong
+        with pytest.raises(fyd.InvalidValue, match=f"signal_g: row 5 is {wrong}; expected finite numbers"):
+            fyd.spectral_match(axes, signal_g)
     with pytest.raises(fyd.InvalidValue, match="delay_samples"):
         fyd.spectral_match(axes, axes[:, 0], -1)
