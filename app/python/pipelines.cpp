@@ -57,7 +57,9 @@ void addOutputs(py::module_& module) {
       .def_property_readonly(
           "events",
           [](const Outputs& out) { return std::vector<pipeline::Event>(out.events.begin(), out.events.end()); },
-          "What the step reports [each in its unit]");
+          "What the step reports [each in its unit]")
+      .def(
+          "copy", [](const Outputs& out) { return out; }, "The same outputs once more. Units: none.");
 }
 
 }  // namespace

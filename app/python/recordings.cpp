@@ -210,6 +210,7 @@ void addRecordings(py::module_& module) {
   using recording::EventRow;
   py::class_<EventRow> event(module, "EventRow", "What a step reported, with its time.");
   describe(event);
+  copyable(event);
   event.def_property_readonly(
       "id", [](const EventRow& row) { return idOfEvent(row.event); }, kIdOfEvent);
   py::class_<recording::LinkRow> link(module, "LinkRow", "The robot's link, as it was once a second.");

@@ -200,6 +200,9 @@ def test_copies_are_equal_and_their_own(copied):
     assert same.as_dict().keys() == sample.as_dict().keys() and repr(same) == repr(sample)
     same.touch_z_mm = 2.0
     assert sample.touch_z_mm == 1.5
+    with fyd.open(GOLDEN / "changes.h5") as recording:
+        events = recording.events
+    assert [repr(copied(event)) for event in events] == [repr(event) for event in events] and events[0].when_ns > 0
     finger = fyd.FingerInput()
     finger.set(5_000_000, x_px=3.0)
     assert repr(copied(finger)) == repr(finger) and copied(finger).count == 1

@@ -230,6 +230,15 @@ def test_inputs_of_a_wrong_type_or_number_are_named():
     assert inputs.ir.counts == () and inputs.commands == ()
 
 
+def test_outputs_have_a_copy_of_their_own():
+    outputs = fyd.Pipeline().step(fyd.Inputs(now_ns=1_000_000))
+    other = outputs.copy()
+    assert repr(other.telemetry) == repr(outputs.telemetry) and other.faults == outputs.faults
+    assert [repr(event) for event in other.events] == [repr(event) for event in outputs.events]
+    other.telemetry.touch_z_mm = 7.5
+    assert outputs.telemetry.touch_z_mm != 7.5
+
+
 def test_inputs_are_real_numbers_of_which_nothing_is_left_out():
     inputs = fyd.Inputs()
     for wrong in (np.complex128(1 + 2j), "1", np.str_("1"), None, np.timedelta64(1, "s"), np.ma.masked):
