@@ -110,7 +110,9 @@ def test_what_could_not_be_read_is_read_the_next_time():
     with pytest.raises(fyd.Error, match="gone"):
         _ = telemetry["force_N"]
     file.meanwhile = lambda: None
+    assert not first.base.flags.writeable
     assert telemetry["force_N"].tolist() == list(range(9)) and first.tolist() == list(range(5))
+    assert not telemetry["force_N"].base.flags.writeable
 
 
 def test_a_column_is_not_copied_for_each_refresh(tmp_path, monkeypatch):

@@ -105,6 +105,33 @@ def test_what_is_asked_for_twice_is_the_same_memory(classic):
         first[0] = 1.0
 
 
+def test_nobody_writes_into_a_column_by_its_base(classic):
+    """It is in everybody's hands: who asks next gets the same memory."""
+    first = classic.telemetry["force_N"]
+    before = first[0]
+    assert not first.base.flags.writeable
+    with pytest.raises(ValueError):
+        first.base[0] = 99
+    with pytest.raises(ValueError):
+        first.flags.writeable = True
+    assert classic.telemetry["force_N"][0] == before or math.isnan(before)
+    assert all(not each.base.flags.writeable for each in classic.telemetry.load().values())
+
+
+def test_one_name_is_one_column(classic):
+    assert classic.telemetry.load("force_N") is classic.telemetry
+    with pytest.raises(KeyError, match="force_lbs: telemetry has no such column"):
+        classic.telemetry.load("force_lbs")
+
+
+def test_recordings_are_compared_as_objects(classic):
+    with fyd.open(GOLDEN / "classic.h5") as other:
+        assert classic.telemetry == classic.telemetry and classic.telemetry != other.telemetry
+        assert classic.telemetry != dict(other.telemetry) and len({classic.telemetry, other.telemetry}) == 2
+    columns = classic.event_columns
+    assert columns == columns and columns != classic.event_columns and len({columns}) == 1
+
+
 def test_arrays_stay_when_the_file_is_closed():
     with fyd.open(GOLDEN / "classic.h5") as recording:
         force = recording.telemetry["force_N"]

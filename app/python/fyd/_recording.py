@@ -104,6 +104,8 @@ class Telemetry(Mapping[str, Array]):
             if read < rows:
                 taken[name] = (memory, read)
                 by_first.setdefault(read, []).append(name)
+                # Read only but while it is read into: a view's `base` leads to it, and through it to all views.
+                memory.flags.writeable = True
             out[name] = memory[:rows]
         try:
             for first, together in by_first.items():
@@ -111,6 +113,8 @@ class Telemetry(Mapping[str, Array]):
                 for name in together:
                     taken[name] = (taken[name][0], rows)
         finally:
+            for memory, _ in taken.values():
+                memory.flags.writeable = False
             self._kept.update(taken)
         return out
 
