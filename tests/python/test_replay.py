@@ -93,6 +93,15 @@ def test_a_wrong_setting_is_named(classic, settings, words):
     assert classic.replay().identical
 
 
+def test_what_is_no_recording_or_no_settings_is_named(classic):
+    for wrong in ("s.h5", None, classic._file):
+        with pytest.raises(TypeError, match="expected a Recording, as fyd.open gives it"):
+            fyd.replay(wrong)
+    for wrong in ("ab", b"ab", 3, ["control.kp"]):
+        with pytest.raises(TypeError, match="settings: .*expected a mapping of id to value"):
+            classic.replay(wrong)
+
+
 def test_the_step_gives_what_was_recorded(golden):
     """Step by step, from the state before the first row."""
     recorded = rows_of(golden)

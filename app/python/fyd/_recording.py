@@ -52,6 +52,10 @@ class Columns(Mapping[str, Array]):
     def __len__(self) -> int:
         return len(self._arrays)
 
+    # As an object: a mapping compares its values by ==, of which an array has no one answer.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
     def __repr__(self) -> str:
         return f"Columns({', '.join(f'{name} [{self.units[name]}]' for name in self)})"
 
@@ -77,7 +81,11 @@ class Telemetry(Mapping[str, Array]):
         return self._rows
 
     def load(self, names: Iterable[str] | None = None) -> Telemetry:
-        """Reads these columns, or all, in one pass over the file: quicker than one by one. Units: those of `units`."""
+        """Reads these columns, or all, in one pass over the file: quicker than one by one. One name alone is one column.
+        Units: those of `units`.
+        """
+        if isinstance(names, str):  # an iterable of letters otherwise
+            names = [names]
         self._read(list(_fyd.TELEMETRY_NAMES if names is None else names))
         return self
 
@@ -131,6 +139,10 @@ class Telemetry(Mapping[str, Array]):
 
     def __len__(self) -> int:
         return len(_fyd.TELEMETRY_NAMES)
+
+    # As Columns.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
 
     def __repr__(self) -> str:
         return f"Telemetry({self._rows} rows of {len(self)} columns)"
@@ -252,6 +264,8 @@ class Recording:
         (`settings`, id to value). closed_loop: motors and load cell react to the new commands. keep_telemetry: whether
         `telemetry` of the result has the replayed columns. Other threads go on meanwhile. Units: those of the columns.
         """
+        if settings is not None and not hasattr(settings, "keys"):
+            raise TypeError(f"settings: {settings!r}: expected a mapping of id to value")
         return _fyd.replay(self._file, dict(settings or {}), closed_loop, keep_telemetry)
 
 
@@ -263,4 +277,6 @@ def open(path: str | os.PathLike[str]) -> Recording:
 def replay(recording: Recording, settings: Mapping[str, Any] | None = None, *, closed_loop: bool = False,
            keep_telemetry: bool = True) -> _fyd.ReplayResult:
     """As Recording.replay. Units: those of the columns."""
+    if not isinstance(recording, Recording):
+        raise TypeError(f"{recording!r}: expected a Recording, as fyd.open gives it")
     return recording.replay(settings, closed_loop=closed_loop, keep_telemetry=keep_telemetry)
