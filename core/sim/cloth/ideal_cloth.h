@@ -4,7 +4,7 @@
 //   k  through (20°, 0.501), (45°, 0.550), (60°, 0.673), (90°, 0.715) N/mm: monotone cubic (PCHIP);
 //      outside of the points linear with the nearest segment's chord, to 0° and 120°
 //   s  spread between pieces of cloth, 0.7–1.3   h  hysteresis, share of the force
-//   q  −1…1, moves with δ and saturates: +1 after 0.3 mm of pressing, −1 after 0.3 mm of releasing
+//   q  −1…1, moves with δ, by 1 with each 0.3 mm, and saturates: +1 while pressing, −1 after 0.6 mm of releasing
 //      (rate-independent; the loop lies symmetrically about the mean line)
 #pragma once
 
