@@ -50,7 +50,9 @@ class TextTouchpad final : public Touchpad {
         if (line.size() < kLongestLine) line += static_cast<char>(byte);
         continue;
       }
-      if (take(line, now)) return readings_;
+      const auto taken = take(line, now);
+      if (!taken) return tl::unexpected(taken.error());
+      if (*taken) return readings_;
       line.clear();
     }
   }
@@ -60,8 +62,8 @@ class TextTouchpad final : public Touchpad {
  private:
   static constexpr std::size_t kLongestLine = 200;
 
-  // Only a whole answer to the newest question is believed.
-  bool take(const std::string& line, Instant now) {
+  // Only a whole answer to the newest question is believed: false for any other. What cannot be in it is an error.
+  Result<bool> take(const std::string& line, Instant now) {
     unsigned number = 0;
     std::array<int, 3> distance{};
     std::array<int, 2> encoder{};
@@ -73,12 +75,15 @@ class TextTouchpad final : public Touchpad {
     }
     sensing::IrCounts counts;
     for (const int each : distance) {
-      if (each < 0 || each > 4095) return false;
+      if (each < 0 || each > 4095) return fail("{}: distance code {}; expected 0 to 4095", path_, each);
       (void)counts.push(static_cast<std::uint16_t>(each));
     }
     control::MotorFeedback motors;
     for (std::size_t i = 0; i < encoder.size(); ++i) {
-      if (encoder[i] < 0 || encoder[i] >= control::kEncoderCountsPerTurn) return false;
+      if (encoder[i] < 0 || encoder[i] >= control::kEncoderCountsPerTurn) {
+        return fail("{}: encoder {} reads {}; expected 0 to {}", path_, i + 1, encoder[i],
+                    control::kEncoderCountsPerTurn - 1);
+      }
       motors.encoder_counts[i] = static_cast<std::uint16_t>(encoder[i]);
     }
     readings_.ir.set(counts, now);
