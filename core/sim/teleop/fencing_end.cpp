@@ -69,8 +69,7 @@ scene::SwordTouch FencingEnd::step(const DeviceState& device, double now_s) {
     return {};
   }
   if (!stepped_s_) {
-    smooth_ =
-        teleop::SmoothOutput(settings_.smooth_s.value_or(teleop::defaultSmoothing_s(settings_.players.period_s, 0.0)));
+    smooth_ = teleop::SmoothOutput(link_.smoothing_s());
     along_mm_per_s_ = {};
     corrected_ = true;
   }

@@ -66,6 +66,8 @@ class TeleopEnd {
   /// The other device's predicted position and orientation; while linked.
   [[nodiscard]] const teleop::Position& other_mm() const { return other_mm_; }
   [[nodiscard]] const teleop::Orientation& otherOrientation() const { return other_orientation_; }
+  /// Time constant of the corrections of `other_mm`; while linked.
+  [[nodiscard]] double smoothing_s() const { return smooth_.timeConstant_s(); }
   /// With a deadband: what is known of the other device at a moment: position (mm) and force (N); and the bands.
   [[nodiscard]] teleop::DeadbandReceiver::Answer told(double date_s) const { return receiver_.at(date_s); }
   [[nodiscard]] const teleop::DeadbandChannels& channels() const { return channels_; }

@@ -26,6 +26,7 @@ class SmoothOutput {
   /// At each tick, in the order of time. For inputs that are not finite the output is held.
   /// @param velocity_mm_per_s the prediction's own (Predictor::velocity)
   [[nodiscard]] Position step(double time_s, const Position& predicted_mm, const Position& velocity_mm_per_s);
+  [[nodiscard]] double timeConstant_s() const { return tau_s_; }
   /// Of the last step.
   [[nodiscard]] const Position& velocity_mm_per_s() const { return velocity_mm_per_s_; }
   /// The next prediction is output unchanged.

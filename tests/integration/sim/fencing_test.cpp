@@ -333,6 +333,42 @@ TEST(Fencing, TwoHandsThatPressFeelEachOtherAsLongAsThePlayersAreLinked) {
   }
 }
 
+/// The time constant depends on the age of the first message, here 0.4 s.
+TEST(Fencing, ACorrectionOfTheDirectionTakesAsLongAsOneOfThePosition) {
+  FencingSettings settings;
+  settings.predictor = teleop::PredictorChoice::order0;
+  settings.players.period_s = 0.5;
+  FencingEnd one(settings), other(settings);
+  one.start(1);
+  other.start(2);
+  const auto toldAt = [&](double now_s, const DeviceState& device) {
+    static_cast<void>(other.step(device, now_s));
+    const auto bytes = other.datagram(now_s);
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+  };
+  const std::vector<std::uint8_t> first = toldAt(1000.0, {});
+  const std::vector<std::uint8_t> moved =
+      toldAt(1000.5, {.position_mm = {0.0, 10.0, 0.0}, .orientation = {.gamma_rad = 0.02}});
+  ASSERT_FALSE(first.empty() || moved.empty());
+  double now_s = 1000.4;
+  const auto believedAfter = [&](int milliseconds) {
+    for (int i = 0; i < milliseconds; ++i, now_s += kFencingTick_s) static_cast<void>(one.step({}, now_s));
+    EXPECT_EQ(one.phase(), TeleopEnd::Phase::linked);
+    return one.other();
+  };
+  one.receive(first, now_s);
+  const scene::Blade before = believedAfter(500);
+  one.receive(moved, now_s);
+  const double tau_s = teleop::defaultSmoothing_s(settings.players.period_s, 0.4);
+  const scene::Blade meanwhile = believedAfter(static_cast<int>(std::lround(tau_s / kFencingTick_s)));
+  const scene::Blade after = believedAfter(1500);
+  const auto left = [](double from, double at, double to) { return (at - to) / (from - to); };
+  const auto along = [](const scene::Blade& blade) { return blade.tip_mm.y - blade.grip_mm.y; };
+  const double of_position = left(before.grip_mm.y, meanwhile.grip_mm.y, after.grip_mm.y);
+  EXPECT_NEAR(of_position, 2.0 / M_E, 0.02);
+  EXPECT_NEAR(left(along(before), along(meanwhile), along(after)), of_position, 0.02);
+}
+
 TEST(Fencing, WhoIsNotLinkedOrMeasuresNothingFeelsNothing) {
   const FencingSettings settings;
   Player one(settings, {}, 1), other(settings, {}, 2);
