@@ -146,18 +146,26 @@ void RobotRunner::exchangeWithRobot(const MovingTarget& target, Duration tick, I
   if (robot_.resumed()) reference_.resume(robot_.commanded_mm());
 }
 
+bool RobotRunner::queue(pipeline::RobotCommand command) {
+  if (!end_->command(command)) return false;
+  leaving_ = leaving_ || command == pipeline::RobotCommand::disconnect;
+  return true;
+}
+
 void RobotRunner::queueCommands(Instant now) {
   pipeline::RobotCommand asked{};
-  while (asked_.pop(asked)) now_.commands_lost += end_->command(asked) ? 0 : 1;
+  while (asked_.pop(asked)) now_.commands_lost += queue(asked) ? 0 : 1;
   if (now_.connections == 0) return;
   const double since_s = toSeconds(now - connected_);
   for (; next_command_ < options_.commands.size(); ++next_command_) {
     if (options_.commands[next_command_].at_s > since_s) break;
-    if (!end_->command(options_.commands[next_command_].command)) break;
+    if (!queue(options_.commands[next_command_].command)) break;
   }
 }
 
 void RobotRunner::sendDue(Instant now) {
+  // What the arm last said is old: the touchpad is to miss the robot, and not to act on that.
+  if (!robot_.following() && !leaving_) return;
   const protocol::RobotReport report{
       .acceleration_g = now_.readings.acceleration_g - preparation_.restAcceleration_g(),
       .robot = {.stiffness_N_per_mm = now_.readings.stiffness_N_per_mm.value_or(now_.probed_stiffness_N_per_mm),
@@ -185,7 +193,7 @@ void RobotRunner::receiveUntil(Instant deadline) {
 
 void RobotRunner::sayFarewell() {
   if (end_->phase() != protocol::RobotPhase::running && end_->phase() != protocol::RobotPhase::paused) return;
-  if (!end_->command(pipeline::RobotCommand::disconnect)) return;
+  if (!queue(pipeline::RobotCommand::disconnect)) return;
   const Instant give_up = Clock::now() + options_.farewell;
   for (Instant now = Clock::now(); now < give_up; now = Clock::now()) {
     if (end_->phase() == protocol::RobotPhase::closed) return;

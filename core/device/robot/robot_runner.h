@@ -85,7 +85,8 @@ class RobotRunner {
 
   /// Prepares, connects, exchanges, reconnects when the touchpad went away and returns; until stopped, until `limit`
   /// has passed, or until a command 9 of the robot's own has closed the session. At a stop, a running probe first goes
-  /// back to its start, and a moving arm brakes within its limits. Blocks; call from one thread, once.
+  /// back to its start, and a moving arm brakes within its limits. While the arm does not follow, the touchpad is told
+  /// nothing but a goodbye: old readings would look like new ones. Blocks; call from one thread, once.
   void run(const std::stop_token& stop, Duration limit = Duration::max());
 
   /// For the robot's operator; from one other thread. @return false when sixteen commands are waiting
@@ -102,6 +103,7 @@ class RobotRunner {
   void sendDue(Instant now);
   void receiveUntil(Instant deadline);
   void queueCommands(Instant now);
+  [[nodiscard]] bool queue(pipeline::RobotCommand command);
   void sayFarewell();
   void publish(Instant now);
 
@@ -114,6 +116,7 @@ class RobotRunner {
   std::vector<std::uint8_t> buffer_;
   Ring<pipeline::RobotCommand> asked_{16};
   std::size_t next_command_ = 0;
+  bool leaving_ = false;  // a goodbye is to be said, whatever the arm does
   Instant began_{};
   Instant published_{};
   Instant connected_{};

@@ -227,6 +227,53 @@ TEST(SimulatedRobot, KeepsItsLimitsFromCycleToCycleAndComesToRestWhenItIsStopped
   }
 }
 
+/// Follows while it is told to, as a controller that is put into another mode.
+class WilfulArm final : public device::Robot {
+ public:
+  WilfulArm(const SimParameters& parameters, std::shared_ptr<std::atomic<bool>> follows)
+      : arm_(parameters), follows_(std::move(follows)) {}
+  [[nodiscard]] Message description() const override { return arm_.description(); }
+  [[nodiscard]] bool inVirtualTime() const override { return arm_.inVirtualTime(); }
+  [[nodiscard]] Result<device::RobotReadings> exchange(const Vec3& target_mm, Instant now) override {
+    if (!*follows_) return fail("in another mode");
+    return arm_.exchange(target_mm, now);
+  }
+
+ private:
+  RobotArm arm_;
+  std::shared_ptr<std::atomic<bool>> follows_;
+};
+
+TEST(SimulatedRobot, WhileItsArmDoesNotFollowTheTouchpadIsToldNothingButTheGoodbye) {
+  AnsweringTouchpad touchpad;
+  const auto follows = std::make_shared<std::atomic<bool>>(true);
+  device::RobotRunnerOptions options;
+  options.touchpad = touchpad.local();
+  options.bind = protocol::parseEndpoint("127.0.0.2:0").value();
+  options.link.reply_timeout = std::chrono::seconds(5);
+  options.farewell = std::chrono::seconds(5);
+  const auto robot = device::RobotRunner::open(options, std::make_unique<WilfulArm>(quiet(0.6), follows)).value();
+  std::jthread thread([&](const std::stop_token& stop) { robot->run(stop); });
+  const auto states = [&] { return robot->status().counters.states; };
+  const auto failing = [&] { return !robot->status().robot_problem.empty(); };
+  ASSERT_TRUE(comesTrue("20 states", [&] { return states() > 20U; }));
+  *follows = false;
+  ASSERT_TRUE(comesTrue("the arm's problem", failing));
+  const std::uint64_t before = states();
+  std::this_thread::sleep_for(milliseconds(300));
+  EXPECT_EQ(states(), before);
+  *follows = true;
+  EXPECT_TRUE(comesTrue("20 states more", [&] { return states() > before + 20U; }));
+  *follows = false;
+  ASSERT_TRUE(comesTrue("the arm's problem again", failing));
+  thread.request_stop();
+  thread.join();
+  touchpad.stop();
+  EXPECT_EQ(robot->status().connections, 1U);
+  EXPECT_GE(touchpad.end().counters().lost, 1U);
+  EXPECT_EQ(touchpad.end().phase(), pipeline::LinkPhase::closed) << "it said goodbye";
+}
+
 TEST(SimulatedRobot, WrongOptionsAreRefusedWithTheirValue) {
   const auto message = [](const device::RobotRunnerOptions& options) {
     const auto robot = device::RobotRunner::open(options, std::make_unique<RobotArm>(SimParameters{}));
