@@ -38,11 +38,12 @@ struct LinkParameters {
             .maximum = 1000,
             .help = "States a second that a robot on FYD Link is granted at most; each carries the accelerations "
                     "since the last, the newest 32 of them."});
-    v.real("link.touch_rate_Hz", touch_rate_Hz,
-           {.unit = "Hz",
-            .minimum = 1,
-            .maximum = 1000,
-            .help = "Touches a second that a robot on FYD Link is sent at most."});
+    v.real(
+        "link.touch_rate_Hz", touch_rate_Hz,
+        {.unit = "Hz",
+         .minimum = 10,
+         .maximum = 1000,
+         .help = "Touches a second that a robot on FYD Link is sent at most; it takes longer gaps for a lost link."});
     v.real("link.freshness_ms", freshness_ms,
            {.unit = "ms",
             .minimum = 20,

@@ -36,10 +36,10 @@
 
 namespace fyd::protocol {
 
-/// Everything that ever arrived is in exactly one of these, except that `states` counts damaged ones as well.
+/// Everything that ever arrived is in exactly one of these, except that `states` counts damaged and cut ones as well.
 struct TouchpadCounters {
   std::uint64_t acks = 0;              ///< handshakes taken
-  std::uint64_t states = 0;            ///< states answered, damaged ones included
+  std::uint64_t states = 0;            ///< states answered, damaged and cut ones included
   std::uint64_t states_damaged = 0;    ///< recognised and answered, not used
   std::uint64_t states_cut = 0;        ///< used as far as they went
   std::uint64_t farewell_states = 0;   ///< of a former peer, answered, not used
@@ -86,7 +86,7 @@ class ClassicTouchpadEnd final : public TouchpadEnd {
   [[nodiscard]] Duration lostLimit() const;
   [[nodiscard]] double periodMs() const { return period_ms_; }  ///< smoothed; 0 before two states
   [[nodiscard]] double jitterMs() const;                        ///< four mean deviations of the period
-  /// Since the last datagram of the peer; zero before the first.
+  /// Since the last datagram of the peer that was used, damaged states being none; zero before the first.
   [[nodiscard]] Duration silence(Instant now) const;
 
  private:

@@ -116,7 +116,7 @@ inline constexpr std::array kRegisters = {
 
 [[nodiscard]] std::string_view toString(RegisterType type);
 
-/// The manual's tables: registers, states of the motors, fault codes. Markdown.
+/// The manual's tables: registers, states of the motors. Markdown.
 [[nodiscard]] std::string registerMapMarkdown();
 
 }  // namespace fyd::protocol

@@ -59,6 +59,17 @@ TEST(LinkEnds, SlowerWishesAreGrantedAndTooSlowOnesAreNot) {
   EXPECT_FALSE(line.robot.touch()->indentation_mm);
 }
 
+// In the parameter's range, whatever the rate: the robot's own cap is 100 ms.
+TEST(LinkEnds, TheSlowestTouchesThatCanBeSetKeepTheRobotsLink) {
+  LinkParameters parameters;
+  const std::vector<Parameter> bound = bindParameters(parameters);
+  parameters.touch_rate_Hz = findParameter(bound, "link.touch_rate_Hz")->info.minimum;
+  LinkPair pair(parameters);
+  ASSERT_TRUE(pair.connect());
+  pair.run(10.0);
+  EXPECT_EQ(pair.robot.counters().lost, 0U);
+}
+
 TEST(LinkEnds, AtTenStatesASecondTheNewestThirtyTwoAccelerationsGoAndTheOthersAreCounted) {
   LinkPair pair(LinkParameters{.lost_cap_ms = 400.0, .state_rate_Hz = 10.0});  // three periods lie within the cap
   ASSERT_TRUE(pair.connect());
