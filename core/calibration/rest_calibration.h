@@ -1,10 +1,11 @@
 // Calibrations that use readings at rest only: the accelerometer lying still, and the distances and force of the
 // untouched cloth.
 //
-// The accelerometer's mean is not kept in the profile: the texture subtracts rest itself (core/texture/rest_removal.h).
-// The calibration judges whether the sensor is plausible: still, and 1 g long, or about 0 g where the robot's end
-// subtracts the rest value before it sends (core/device/robot/robot_preparation.h). Exactly 0 without any noise
-// means that there is no sensor.
+// The accelerometer's mean is not kept in the profile: in a session the robot's end may subtract rest before it sends
+// (core/device/robot/robot_preparation.h), and what is left of it the texture's high-pass takes away; the offline chain
+// subtracts the first reading (core/texture/rest_removal.h). The calibration judges whether the sensor is plausible:
+// still, and 1 g long, or about 0 g where the robot's end subtracts. Exactly 0 without any noise means that there is no
+// sensor.
 #pragma once
 
 #include <array>

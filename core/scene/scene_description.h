@@ -90,13 +90,15 @@ struct BodyDescription {
            {.unit = "mm",
             .minimum = 0,
             .maximum = 1000,
-            .help = "Of the fingertip: of a proxy, 0 is a point; of nodes, 0 is three mean edges."});
+            .help = "Of the fingertip: of a proxy, 0 is a point; of nodes, 0 is three mean edges, at least 2 % of the "
+                    "mesh's diagonal."});
     v.real(
         "body.depth_mm", depth_mm,
         {.unit = "mm",
          .minimum = 0,
          .maximum = 1e6,
-         .help = "How deep facet and vicinity act; 0: half of the mesh's diagonal, more than any point within has."});
+         .help = "How deep nodes, facet, vicinity and a soft body act; 0: half of the mesh's diagonal, more than any "
+                 "point within has, of a soft body 1000 mm."});
     v.text("body.texture", texture,
            {.help = "Stored surface that shakes a finger sliding over it: a file, relative to the scene's."});
     v.boolean("body.soft", soft,

@@ -9,8 +9,9 @@
 // millisecond between two near samples is interpolated between them, and anything longer is a gap, which is
 // silence and counted, never invented data.
 //
-// Changes of method, filter, frame, hop, mapping, k_vib, full scale, limit and dead zone glide over `crossfade_ms`: the
-// signal is at every instant a weighted mean of the old and the new one, so it never exceeds the larger of the two.
+// Changes of method, filter, frame, hop, k_vib, full scale, limit and dead zone, and to or from the mapping felt, glide
+// over `crossfade_ms`: the signal is at every instant a weighted mean of the old and the new one, so it never exceeds
+// the larger of the two. A change between the mappings symmetric and thesis acts at once.
 // Stability: may change
 #pragma once
 
@@ -58,7 +59,7 @@ class FYD_API TextureRenderer {
   /// Present stretch of the rollers, which shifts the cloth's resonance; NaN: unknown.
   void setStretch(double stretch_deg);
 
-  /// @param new_samples    since the last call, in any number; older and repeated ones are refused and counted
+  /// @param new_samples    since the last call, in any number; older ones are refused and counted
   /// @param position_share_percent  duty the board's position loop uses now, signed; NaN when it does not say
   [[nodiscard]] TextureOutput step(Instant now, std::span<const AccelerationSample> new_samples,
                                    double position_share_percent);

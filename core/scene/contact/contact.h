@@ -32,8 +32,8 @@ struct ContactSettings {
   /// proxy: of the finger; 0 is a point. nodes: of the sphere; 0: three mean edges, at least 2 % of the mesh's
   /// diagonal.
   double radius_mm = 0.0;
-  /// facet, vicinity: the depth beyond which there is no force. 0: half of the mesh's diagonal, which no point within a
-  /// closed body exceeds.
+  /// nodes, facet, vicinity: the depth beyond which there is no force. 0: half of the mesh's diagonal, which no point
+  /// within a closed body exceeds.
   double reach_mm = 0.0;
 };
 

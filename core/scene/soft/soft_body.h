@@ -9,7 +9,8 @@
 //
 // Only points near the press, or that move, are awake; the others stay at their rest position and are not computed. A
 // point is woken where the displacement next to it matters, and put to sleep where it no longer does, if the body's
-// energy then does not exceed the work done on it. A body that sleeps as a whole costs one comparison.
+// energy then does not exceed the work done on it. A body that sleeps as a whole costs one comparison while the hand is
+// farther from it than five finger radii.
 //
 // Allocates only when built. Bit-reproducible.
 // Stability: may change

@@ -32,7 +32,7 @@ class FYD_API SoftSolver {
 
   /// Solves (diag(d) + scale·K)·x = b on the rows `awake`; x is 0 elsewhere and must be so when passed in. x holds the
   /// initial guess. Ends where a residual is `tolerance` of b, or of `least` where that is more (both in the norm of
-  /// the inverse diagonal; `least` squared). @return iterations
+  /// the inverse diagonal; `least` squared), or after 400 iterations. @return iterations
   int solve(const SoftMatrix& stiffness, double scale, std::span<const double> d, std::span<const std::uint32_t> awake,
             std::span<const Four> b, std::span<Four> x, double tolerance, const Four& least);
 

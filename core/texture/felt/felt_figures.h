@@ -8,8 +8,8 @@ namespace fyd::texture {
 
 struct FeltFigures {
   double spectral_match = 0.0;         ///< as in spectral_match.h, both spectra scaled to the same sum; 1: equal
-  double third_octave_error_dB = 0.0;  ///< mean |difference| of levels in third octaves from 25 Hz
-                                       ///< to 400 Hz without their mean, weighted by the wanted amplitude
+  double third_octave_error_dB = 0.0;  ///< mean |difference| of levels in the 12 third octaves with centres from 25 to
+                                       ///< 317 Hz (22 to 356 Hz) without their mean, weighted by the wanted amplitude
   double envelope = 0.0;               ///< correlation of the envelopes: RMS in windows of 50 ms
   double level_g = 0.0;                ///< RMS at the finger
   double level_dB = 0.0;               ///< level_g relative to kFeltThreshold_g
