@@ -27,10 +27,6 @@ enum Place : std::size_t { kX, kY, kArea, kBridge, kAfterCodes };
 
 double after(const CalibrationPoint& point, Place place) { return point[point.size() - kAfterCodes + place]; }
 
-std::size_t sensorsOf(const sensing::IndentationParameters& p) {
-  return std::min({p.ir_x_mm.size(), p.ir_y_mm.size(), sensing::kMaximumIrSensors});
-}
-
 struct Nearest {
   std::size_t sensor = 0;
   double beside_mm = std::numeric_limits<double>::infinity();

@@ -98,8 +98,8 @@ class IrStep : public CalibrationStep {
 
 CalibrationSteps irSteps(const station::Profile& profile) {
   CalibrationSteps out;
-  const std::size_t sensors = profile.step.sensing.indentation.ir_x_mm.size();
-  for (std::size_t i = 0; i < std::min(sensors, sensing::kMaximumIrSensors); ++i) {
+  const std::size_t sensors = sensorsOf(profile.step.sensing.indentation);
+  for (std::size_t i = 0; i < sensors; ++i) {
     out.push_back(std::make_unique<IrStep>(i));
   }
   return out;

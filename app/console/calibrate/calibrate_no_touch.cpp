@@ -15,11 +15,6 @@ namespace {
 
 using widgets::tr;
 
-/// The profile's lists may hold more than are looked at.
-std::size_t sensorsOf(const sensing::IndentationParameters& p) {
-  return std::min<std::size_t>(p.ir_x_mm.size(), sensing::kMaximumIrSensors);
-}
-
 class NoTouchStep : public CalibrationStep {
  public:
   explicit NoTouchStep(const station::Profile& profile) : indentation_(profile.step.sensing.indentation) {}
