@@ -378,7 +378,7 @@ TEST(SafetyStep, ARefusedTargetByHandLeavesTheTargetWithTheRobot) {
   EXPECT_TRUE(std::ranges::any_of(out.events.view(),
                                   [](const Event& event) { return event.kind == EventKind::parameter_refused; }));
   session.change = [](Inputs& in) { in.robot.state.value.stiffness_N_per_mm = 0.45; };
-  EXPECT_DOUBLE_EQ(session.step().telemetry.target_N_per_mm, 0.45);
+  EXPECT_NEAR(session.run(2000).telemetry.target_N_per_mm, 0.45, 1e-6);
   session.change = [](Inputs& in) { in.robot.phase = LinkPhase::waiting; };
   EXPECT_EQ(session.step().telemetry.fault, Fault::robot_waiting) << "the robot is still needed";
 }
@@ -406,7 +406,11 @@ TEST(SafetyStep, TheFactorOfAPlaceEndsWithContactMode) {
   };
   const auto reachable = [&](bool was_contact) {
     Session session;
-    session.change = [](Inputs& in) { in.finger.value.x_mm = 25.0; };
+    session.change = [](Inputs& in) {
+      in.finger.value.x_mm = 25.0;
+      in.bridge.value.value_mV_per_V = 0.0;  // no force: nothing is learned of the cloth, and the law alone drives
+      in.robot.state.value.stiffness_N_per_mm = 3.0;  // out of reach: what is reachable tells the factor
+    };
     const auto mode = [&](sensing::IndentationMode value) {
       session.inputs.changes.clear();
       (void)session.inputs.changes.push(
@@ -419,14 +423,13 @@ TEST(SafetyStep, TheFactorOfAPlaceEndsWithContactMode) {
     session.give(OperatorAction::arm);
     session.run(500);
     mode(sensing::IndentationMode::membrane);
-    session.run(3000);
-    return session.step().telemetry;
+    return session.run(10).telemetry;
   };
   const TelemetrySample after = reachable(true), alone = reachable(false);
   ASSERT_EQ(after.state, active);
   ASSERT_EQ(alone.state, active);
-  EXPECT_NEAR(after.stretch_reference_deg, alone.stretch_reference_deg, 0.5);
-  EXPECT_NEAR(after.indentation_mm, alone.indentation_mm, 0.02);
+  ASSERT_TRUE(alone.target_clamped);
+  EXPECT_NEAR(after.reachable_target_N_per_mm, alone.reachable_target_N_per_mm, 1e-9);
 }
 
 TEST(SafetyStep, WhatNeverCameOrComesFromTheFutureIsMissing) {

@@ -101,9 +101,9 @@ TEST(Indentation, AnotherModeKeepsNothingOfContactMode) {
     for (int i = 0; i < 2000; ++i) {
       const double at_s = from_s + 0.001 * i;
       const auto count = static_cast<std::uint64_t>(1000.0 * at_s) + 1;
-      auto finger = fingerAt(40.0, 25.0, at_s);
+      auto finger = fingerAt(25.0, 0.0, at_s);
       finger.count = count;
-      seen = estimator.step(instantAt(at_s), codesFor({47.0, 48.0, 46.0}, at_s, count), finger,
+      seen = estimator.step(instantAt(at_s), codesFor({97.5, 98.5, 99.0}, at_s, count), finger,
                             {.value = 2.0, .taken = instantAt(at_s), .count = count});
     }
     return seen;
