@@ -112,7 +112,7 @@ class Event:
     def lack(self, value: Fault) -> None: ...
     @property
     def state(self) -> SafetyState:
-        """SafetyState then [1]"""
+        """SafetyState: of state_changed and arm_refused; otherwise 0 [1]"""
     @state.setter
     def state(self, value: SafetyState) -> None: ...
     units: ClassVar[dict[str, str]]
@@ -182,7 +182,7 @@ class EventRow:
     def lack(self, value: Fault) -> None: ...
     @property
     def state(self) -> SafetyState:
-        """SafetyState then [1]"""
+        """SafetyState: of state_changed and arm_refused; otherwise 0 [1]"""
     @state.setter
     def state(self, value: SafetyState) -> None: ...
     units: ClassVar[dict[str, str]]
@@ -271,22 +271,22 @@ class FingerDetection:
     units: ClassVar[dict[str, str]]
     @property
     def x_mm(self) -> float:
-        """in the touchpad's frame, x right [mm]"""
+        """in the touchpad's frame, x right; without contact 0 (thesis mode: the last) [mm]"""
     @x_mm.setter
     def x_mm(self, value: float) -> None: ...
     @property
     def x_px(self) -> float:
-        """centroid in the camera's full picture, x right [px]"""
+        """centroid in the camera's full picture, x right; without contact 0 (thesis mode: the last) [px]"""
     @x_px.setter
     def x_px(self, value: float) -> None: ...
     @property
     def y_mm(self) -> float:
-        """in the touchpad's frame, y back [mm]"""
+        """in the touchpad's frame, y back; without contact 0 (thesis mode: the last) [mm]"""
     @y_mm.setter
     def y_mm(self, value: float) -> None: ...
     @property
     def y_px(self) -> float:
-        """centroid in the camera's full picture, y down [px]"""
+        """centroid in the camera's full picture, y down; without contact 0 (thesis mode: the last) [px]"""
     @y_px.setter
     def y_px(self, value: float) -> None: ...
 
@@ -361,22 +361,22 @@ class FingerInput:
     units: ClassVar[dict[str, str]]
     @property
     def x_mm(self) -> float:
-        """in the touchpad's frame, x right [mm]"""
+        """in the touchpad's frame, x right; without contact 0 (thesis mode: the last) [mm]"""
     @x_mm.setter
     def x_mm(self, value: float) -> None: ...
     @property
     def x_px(self) -> float:
-        """centroid in the camera's full picture, x right [px]"""
+        """centroid in the camera's full picture, x right; without contact 0 (thesis mode: the last) [px]"""
     @x_px.setter
     def x_px(self, value: float) -> None: ...
     @property
     def y_mm(self) -> float:
-        """in the touchpad's frame, y back [mm]"""
+        """in the touchpad's frame, y back; without contact 0 (thesis mode: the last) [mm]"""
     @y_mm.setter
     def y_mm(self, value: float) -> None: ...
     @property
     def y_px(self) -> float:
-        """centroid in the camera's full picture, y down [px]"""
+        """centroid in the camera's full picture, y down; without contact 0 (thesis mode: the last) [px]"""
     @y_px.setter
     def y_px(self, value: float) -> None: ...
 
@@ -401,6 +401,7 @@ class FingerReason:
     blurred: ClassVar[FingerReason]
     flat_picture: ClassVar[FingerReason]
     found: ClassVar[FingerReason]
+    light_unknown: ClassVar[FingerReason]
     @property
     def name(self) -> str: ...
     no_finger: ClassVar[FingerReason]
@@ -776,6 +777,8 @@ class OperatorCommand:
 
 class Outputs:
     """What came of a step."""
+    def copy(self) -> Outputs:
+        """The same outputs once more. Units: none."""
     @property
     def events(self) -> list[Event]:
         """What the step reports [each in its unit]"""
@@ -1040,7 +1043,7 @@ class RecordingInfo:
         """What is damaged; empty: nothing [—]"""
     @property
     def duration_s(self) -> float:
-        """From its first row to its last [s]"""
+        """From its start to its last row [s]"""
     @property
     def events(self) -> int:
         """Events [1]"""
@@ -1079,7 +1082,7 @@ class RecordingInfo:
         """The station's clock at time 0 of the recording [ns]"""
     @property
     def started_utc(self) -> str:
-        """ISO 8601, of the first row [—]"""
+        """ISO 8601, of its start [—]"""
     @property
     def subject(self) -> str:
         """A code, never a name [—]"""
