@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "core/scene/loaded_scene.h"
@@ -48,6 +49,7 @@ class FYD_API FeltScene {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(scene_, probe_mm_, time_s_, known_, touch_, texture_g_);
+    if (touch_.body != kNoBody && touch_.body >= textures_.size()) throw std::out_of_range("no such body");
     for (std::optional<texture::VirtualTexture>& texture : textures_) {
       if (texture) archive(*texture);
     }

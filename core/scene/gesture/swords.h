@@ -20,9 +20,9 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 
 #include "core/base/api.h"
-#include "core/base/state.h"
 #include "core/scene/gesture/gesture.h"
 
 namespace fyd::scene {
@@ -110,7 +110,8 @@ struct SwordState {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(known, local, distant, touching, within(side, 1), crossed, normal, free_mm, depth_mm, reach_mm, hold);
+    archive(known, local, distant, touching, side, crossed, normal, free_mm, depth_mm, reach_mm, hold);
+    if (side < -1 || side > 1) throw std::out_of_range("no such side of a sword");
   }
 };
 
