@@ -176,7 +176,7 @@ Run runOnModel(const IdentifiedCloth& cloth, const ControlParameters& parameters
   constexpr int kThin = 10;
   constexpr double kLeastNoise = 0.015;  // of the simulated touchpad's stiffness, as a share
   ControlParameters p = parameters;
-  p.measurement_bias = 0.0;  // the model's measurement has no lasting error, and gains do not affect one
+  p.measurement_bias = 0.0;                 // the model's measurement has no lasting error, and gains do not affect one
   p.correction_limit = kNoCorrectionLimit;  // the model's cloth is softer than its law on purpose: no contradiction
   StiffnessController controller(p);
   const StaticLaw& law = controller.law();
