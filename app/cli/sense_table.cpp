@@ -8,7 +8,7 @@
 namespace fyd::cli {
 
 SenseTable readSenseTable(const std::string& path, const sensing::IndentationParameters& parameters) {
-  const std::size_t sensors = std::min(parameters.ir_x_mm.size(), parameters.ir_y_mm.size());
+  const std::size_t sensors = parameters.sensors();
   std::vector<std::string> columns;
   for (std::size_t i = 1; i <= sensors; ++i) columns.push_back(fmt::format("adc{}", i));
   for (const char* name : {"x_mm", "y_mm", "area_mm2", "bridge_mV_per_V"}) columns.emplace_back(name);

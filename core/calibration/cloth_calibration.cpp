@@ -22,15 +22,10 @@ constexpr double kLeastFreeRatioLogSigma = 0.3;
 constexpr double kElsewhere = 1.5;      // a share between the sensors is less certain than over one
 constexpr double kClearlyBetter = 1.3;  // times the other edges' error
 
-/// The lists may hold more than the estimator takes.
-std::size_t sensorsOf(const sensing::IndentationParameters& profile) {
-  return std::min({profile.ir_x_mm.size(), profile.ir_y_mm.size(), std::size_t{sensing::kMaximumIrSensors}});
-}
-
 /// Takes the presses whose sensor under the finger reads; refuses impossible ones. @return whether all are good
 bool takePresses(CalibrationResult& result, const ClothSamples& s, const sensing::IndentationParameters& profile,
                  const CalibrationParameters& p, std::vector<ClothPress>& out) {
-  const std::size_t sensors = sensorsOf(profile);
+  const std::size_t sensors = profile.sensors();
   sensing::IndentationEstimator estimator(profile);
   double farthest = 0.0;
   for (std::size_t row = 0; row < s.codes.size(); ++row) {
@@ -188,7 +183,7 @@ ClothCalibration calibrateCloth(const ClothSamples& s, const sensing::Indentatio
             .unit = "mm",
             .points = s.codes.size(),
             .valid_unit = "mm"};
-  const std::size_t sensors = sensorsOf(profile);
+  const std::size_t sensors = profile.sensors();
   for (std::size_t sensor = 0; sensor < sensors; ++sensor) {
     SampleColumn& column = result.samples.emplace_back();
     column = {.name = fmt::format("adc{}", sensor + 1), .unit = "counts"};

@@ -124,10 +124,10 @@ double excitationAngle_deg(double time_s, const ControlParameters& p) {
   law.limitTravel(p.travel_minimum_deg, p.travel_maximum_deg);
   const double low = law.minimumAngle_deg();
   const double span = law.maximumAngle_deg() - low;
-  const double reach = p.rate_limit_deg_per_s / 3 * kStair_s;
   // A stair that is not climbed when the next begins would be jumped: slow motors climb lower ones about the middle.
-  constexpr double kHighest = 0.5;
-  const double part = std::min(1.0, reach / (kHighest * span));
+  constexpr double kHighestStep = 0.5;  // between neighbours of kStairs
+  const double rate = p.rate_limit_deg_per_s / 3;
+  const double part = std::min(1.0, rate * kStair_s / (kHighestStep * span));
   const auto stairAt = [&](std::size_t i) { return low + (0.5 + part * (kStairs[i] - 0.5)) * span; };
   if (!(time_s >= 0) || !std::isfinite(time_s)) return stairAt(0);
   const double within = std::fmod(time_s, kExcitation_s);
@@ -135,7 +135,7 @@ double excitationAngle_deg(double time_s, const ControlParameters& p) {
   const double from = stairAt((stair + kStairs.size() - 1) % kStairs.size());
   const double to = stairAt(stair);
   if (time_s < kStair_s) return to;  // the very first stair has none before it
-  const double travelled = p.rate_limit_deg_per_s / 3 * (within - static_cast<double>(stair) * kStair_s);
+  const double travelled = rate * (within - static_cast<double>(stair) * kStair_s);
   return from + std::clamp(to - from, -travelled, travelled);
 }
 

@@ -43,7 +43,7 @@ Contact withoutPerspective(const Contact& seen, double indentation_mm, double ca
 }
 
 ContactCloth::ContactCloth(const IndentationParameters& p)
-    : sensors_(std::min({p.ir_x_mm.size(), p.ir_y_mm.size(), kMaximumIrSensors})),
+    : sensors_(p.sensors()),
       membrane_(p.frame_half_width_mm, p.frame_half_depth_mm, p.finger_radius_mm, p.cloth_edges, p.cloth_tension_ratio),
       other_ratio_(p.frame_half_width_mm, p.frame_half_depth_mm, p.finger_radius_mm, p.cloth_edges,
                    p.cloth_tension_ratio * math::exp(p.cloth_tension_ratio_sigma)),

@@ -184,19 +184,29 @@ FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfI
     resize(region, stride);
   }
   takePicture(picture);
+  const FingerDetection out = look();
+  ++since_last_;
+  if (out.contact) {
+    since_last_ = 0;
+    has_last_ = true;
+  } else if (since_last_ > kForget_pictures) {
+    has_last_ = false;
+  }
+  top_left_ = nullptr;  // the caller's pixels are not kept
+  return out;
+}
+
+FingerDetection AdaptiveFinger::look() {
+  chosen_ = -1;
   pass();
   FingerDetection out;
   if (unusable(out)) {
     light_known_ = false;
-    chosen_ = -1;
-    finish(out);
     return out;
   }
   if (!learnLight()) passAgain();
   if (!light_known_) {
     out.reason = FingerReason::light_unknown;  // nothing was marked: it cannot be said that nothing touches the cloth
-    chosen_ = -1;
-    finish(out);
     return out;
   }
   const float marked_below = mark_below_;
@@ -207,19 +217,7 @@ FingerDetection AdaptiveFinger::detect(const ImageView& picture, const RegionOfI
     passAgain();
     out = judge();
   }
-  finish(out);
   return out;
-}
-
-void AdaptiveFinger::finish(const FingerDetection& detection) {
-  ++since_last_;
-  if (detection.contact) {
-    since_last_ = 0;
-    has_last_ = true;
-  } else if (since_last_ > kForget_pictures) {
-    has_last_ = false;
-  }
-  top_left_ = nullptr;  // the caller's pixels are not kept
 }
 
 void AdaptiveFinger::passAgain() {
@@ -286,7 +284,7 @@ FingerDetection AdaptiveFinger::judge() {
   int candidates = 0;
   chosen_ = chooseBlob(candidates);
   out.reason = FingerReason::no_finger;
-  const float widest = 1.0F - static_cast<float>(parameters_.minimum_contrast);
+  const float widest = markBelow(1.0F);
   if (chosen_ < 0) {
     mark_below_ = widest;
     return out;

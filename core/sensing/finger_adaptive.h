@@ -36,8 +36,8 @@ class AdaptiveFinger {
   [[nodiscard]] const std::uint8_t* greyRow(int y, std::uint8_t* buffer) const;
   void pass();
   void passAgain();
-  /// What every picture ends with.
-  void finish(const FingerDetection& detection);
+  /// What the picture shows.
+  [[nodiscard]] FingerDetection look();
   [[nodiscard]] float markBelow(float share) const;
   void closeCells(int row);
   void coverCells();

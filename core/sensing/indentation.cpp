@@ -33,8 +33,7 @@ IndentationEstimator::IndentationEstimator(const IndentationParameters& paramete
 void IndentationEstimator::configure(const IndentationParameters& parameters) {
   const bool mode_changed = parameters.mode != parameters_.mode;
   parameters_ = parameters;
-  sensor_count_ =
-      std::min({parameters.ir_x_mm.count, parameters.ir_y_mm.count, static_cast<std::uint32_t>(kMaximumIrSensors)});
+  sensor_count_ = static_cast<std::uint32_t>(parameters.sensors());
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     positions_[i] = {parameters.ir_x_mm[i], parameters.ir_y_mm[i]};
     curves_[i] = IrDistance(parameters.ir_curve_mm[i].view(), static_cast<int>(at(parameters.ir_lowest_code, i, 524)),

@@ -2,7 +2,9 @@
 // Stability: may change
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 #include "core/base/message.h"
@@ -46,6 +48,9 @@ struct IndentationParameters {
   double holding_mm_per_sqrt_s = 0.5;
   double moving_mm_per_sqrt_s = 20.0;
   double sigma_limit_mm = 10.0;
+
+  /// Distance sensors that are looked at: the lists may hold more.
+  [[nodiscard]] std::size_t sensors() const { return std::min({ir_x_mm.size(), ir_y_mm.size(), kMaximumIrSensors}); }
 
   template <class Visitor>
   void describe(Visitor& v) {

@@ -80,19 +80,20 @@ bool LightSurface::fit(std::span<Cell> cells) {
 
 bool LightSurface::fitUnknown(std::span<Cell> cells) {
   const auto before = c_;
+  const bool found = findUnknown(cells);
+  if (!found) c_ = before;
+  return found;
+}
+
+bool LightSurface::findUnknown(std::span<Cell> cells) {
   for (Cell& cell : cells) cell.weight = 1.0F;
   // A slope first, then curved, each time pulled towards the bright side.
   for (const int count : {3, 3, 3, 6, 6, 6}) {
-    if (!solve(cells, count)) {
-      c_ = before;
-      return false;
-    }
+    if (!solve(cells, count)) return false;
     for (Cell& cell : cells) cell.weight = cell.grey >= at(cell.u, cell.v) * (1.0F - 0.5F * kOff) ? 1.0F : kBelowWeight;
   }
   for (Cell& cell : cells) cell.weight = cell.grey >= at(cell.u, cell.v) * (1.0F - kOff) ? 1.0F : 0.0F;
-  if (fit(cells)) return true;
-  c_ = before;
-  return false;
+  return fit(cells);
 }
 
 float LightSurface::at(float u, float v) const {

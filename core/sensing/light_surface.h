@@ -37,6 +37,7 @@ class LightSurface {
  private:
   static constexpr int kTerms = 9;
   [[nodiscard]] bool solve(std::span<const Cell> cells, int terms);
+  [[nodiscard]] bool findUnknown(std::span<Cell> cells);
 
   std::array<float, kTerms> c_{};
   float middle_x_ = 0.0F;

@@ -33,7 +33,7 @@ struct Nearest {
 };
 Nearest nearestTo(double x_mm, double y_mm, const sensing::IndentationParameters& p) {
   Nearest out;
-  for (std::size_t i = 0; i < sensorsOf(p); ++i) {
+  for (std::size_t i = 0; i < p.sensors(); ++i) {
     const double away = std::hypot(x_mm - p.ir_x_mm[i], y_mm - p.ir_y_mm[i]);
     if (away < out.beside_mm) out = {i, away};
   }
@@ -104,8 +104,8 @@ class ClothStep : public CalibrationStep {
   std::vector<CalibrationSignal> signalsWanted(const station::Profile& profile) const override {
     constexpr double kMoving_counts = 40.0, kMoving_mm = 0.7, kMoving_mm2 = 15.0;
     std::vector<CalibrationSignal> out;
-    out.reserve(sensorsOf(profile.step.sensing.indentation));
-    for (std::size_t i = 0; i < sensorsOf(profile.step.sensing.indentation); ++i) {
+    out.reserve(profile.step.sensing.indentation.sensors());
+    for (std::size_t i = 0; i < profile.step.sensing.indentation.sensors(); ++i) {
       out.push_back({tr("Distance %1").arg(i + 1), tr("counts"), 0, kMoving_counts});
     }
     out.push_back({tr("Finger, x"), QStringLiteral("mm"), 1, kMoving_mm});
@@ -120,9 +120,9 @@ class ClothStep : public CalibrationStep {
       return fail("the camera shows no cloth: look under Devices whether it answers");
     }
     if (!finger.contact) return fail("the camera sees no finger: press the cloth over a distance sensor");
-    if (sensorsOf(p) == 0) return fail("the profile names no distance sensor: see sensing.ir_x_mm");
+    if (p.sensors() == 0) return fail("the profile names no distance sensor: see sensing.ir_x_mm");
     std::vector<double> codes;
-    for (std::size_t i = 0; i < sensorsOf(p); ++i) {
+    for (std::size_t i = 0; i < p.sensors(); ++i) {
       const auto code = liveValue(scene.devices, say("IR sensor {}", i + 1));
       if (!code) return tl::unexpected(code.error());
       codes.push_back(*code);
@@ -199,7 +199,7 @@ class ClothStep : public CalibrationStep {
 
   std::vector<CalibrationPoint> simulatedPoints(const station::Profile& profile) const override {
     const auto& p = profile.step.sensing.indentation;
-    if (sensorsOf(p) != sim::kIrPlaces.size()) return {};  // the simulation has fixed sensors
+    if (p.sensors() != sim::kIrPlaces.size()) return {};  // the simulation has fixed sensors
     std::mt19937_64 random(static_cast<std::uint64_t>(profile.sim.seed));
     std::normal_distribution<double> noise(0.0, profile.sim.ir_noise_mV / 1000.0);
     std::vector<CalibrationPoint> out;
@@ -207,7 +207,7 @@ class ClothStep : public CalibrationStep {
     for (const sim::ClothPress& press :
          sim::pressesOverSensors(profile.sim, profile.step.control.travel_minimum_deg, kDepths_mm)) {
       std::vector<double> codes;
-      for (std::size_t i = 0; i < sensorsOf(p); ++i) {
+      for (std::size_t i = 0; i < p.sensors(); ++i) {
         // Sensors that follow the profile exactly: errors of its curves and offsets must not appear as the cloth's.
         const double volts = distanceSensorOf(p, i).voltsAt(p.ir_offset_mm[i] - press.deflection_mm[i]);
         double sum = 0.0;
@@ -224,7 +224,7 @@ class ClothStep : public CalibrationStep {
  private:
   /// Which press is missing, in a sentence; empty when all are there.
   QString nextPress(const std::vector<CalibrationPoint>& points) const {
-    for (std::size_t sensor = 0; sensor < sensorsOf(indentation_); ++sensor) {
+    for (std::size_t sensor = 0; sensor < indentation_.sensors(); ++sensor) {
       double shallowest = std::numeric_limits<double>::infinity(), deepest = 0.0;
       for (const CalibrationPoint& point : points) {
         const double depth_mm = depthOf(point, indentation_);

@@ -98,7 +98,7 @@ class IrStep : public CalibrationStep {
 
 CalibrationSteps irSteps(const station::Profile& profile) {
   CalibrationSteps out;
-  const std::size_t sensors = sensorsOf(profile.step.sensing.indentation);
+  const std::size_t sensors = profile.step.sensing.indentation.sensors();
   for (std::size_t i = 0; i < sensors; ++i) {
     out.push_back(std::make_unique<IrStep>(i));
   }

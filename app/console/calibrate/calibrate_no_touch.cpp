@@ -40,7 +40,7 @@ class NoTouchStep : public CalibrationStep {
 
   std::vector<CalibrationSignal> signalsWanted(const station::Profile& profile) const override {
     std::vector<CalibrationSignal> out;
-    const std::size_t sensors = sensorsOf(profile.step.sensing.indentation);
+    const std::size_t sensors = profile.step.sensing.indentation.sensors();
     out.reserve(sensors);
     for (std::size_t i = 0; i < sensors; ++i) {
       out.push_back({tr("Distance %1").arg(i + 1), QStringLiteral("mm"), 1, sensing::Tare::kLargestSpread_mm});
@@ -53,7 +53,7 @@ class NoTouchStep : public CalibrationStep {
     if (scene.newest.contact) return fail("the camera sees a finger on the cloth: take everything off");
     const auto& p = scene.profile.step.sensing;
     std::vector<double> out;
-    for (std::size_t i = 0; i < sensorsOf(p.indentation); ++i) {
+    for (std::size_t i = 0; i < p.indentation.sensors(); ++i) {
       const auto code = liveValue(scene.devices, say("IR sensor {}", i + 1));
       if (!code) return tl::unexpected(code.error());
       const auto read =

@@ -43,10 +43,6 @@ Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const
   return fail("no device tells '{}': look under Devices whether the touchpad answers", name);
 }
 
-std::size_t sensorsOf(const sensing::IndentationParameters& p) {
-  return std::min({p.ir_x_mm.size(), p.ir_y_mm.size(), sensing::kMaximumIrSensors});
-}
-
 int distanceReadings(const sensing::IndentationParameters& p) {
   constexpr double kHold_s = 11.0, kUsualNoise_mV = 10.0;
   constexpr double kFewest = 50, kMost = 3000;

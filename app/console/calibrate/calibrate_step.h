@@ -149,9 +149,6 @@ template <class Step, class... Arguments>
 /// The named value of the first device that has it; an error says what was looked for.
 [[nodiscard]] Result<double> liveValue(const std::vector<device::DeviceReport>& devices, const Message& name);
 
-/// How many distance sensors are looked at: the profile's lists may hold more.
-[[nodiscard]] std::size_t sensorsOf(const sensing::IndentationParameters& parameters);
-
 inline constexpr int kDistanceInterval_ms = 20;  ///< about as often as distance sensors measure
 /// Readings at that interval whose mean is good to 0.03 mm: 11 s at a noise of 10 mV, four times as long at twice that,
 /// at most 60 s.

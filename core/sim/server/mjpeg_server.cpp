@@ -163,7 +163,7 @@ bool MjpegServer::interrupted() {
     readers_.clear();
     return true;
   }
-  const int late = faults_.begunForOnce(TouchpadFault::late_reply, now);
+  const int late = faults_.begun(TouchpadFault::late_reply, now, FaultPlan::Count::without_duration);
   if (late > late_pictures_ || faults_.active(TouchpadFault::late_reply, now)) std::this_thread::sleep_for(kLateBy);
   late_pictures_ = late;
   return faults_.active(TouchpadFault::silence, now);

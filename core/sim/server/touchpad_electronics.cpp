@@ -91,7 +91,7 @@ device::TouchpadReadings TouchpadElectronics::sensed(Instant now) {
 
 bool TouchpadElectronics::answersLate(Instant now) {
   const std::scoped_lock lock(mutex_);
-  const int begun = faults_.begunForOnce(TouchpadFault::late_reply, now);
+  const int begun = faults_.begun(TouchpadFault::late_reply, now, FaultPlan::Count::without_duration);
   const bool one_more = begun > late_replies_;
   late_replies_ = begun;
   return one_more || faults_.active(TouchpadFault::late_reply, now);

@@ -46,18 +46,12 @@ bool FaultPlan::active(TouchpadFault fault, Instant now) const {
       shared_->faults, [&](const TimedFault& f) { return f.fault == fault && t >= f.at_s && t - f.at_s < f.for_s; });
 }
 
-int FaultPlan::begun(TouchpadFault fault, Instant now) const {
+int FaultPlan::begun(TouchpadFault fault, Instant now, Count count) const {
   const double t = toSeconds(now - start_);
   const std::scoped_lock lock(shared_->mutex);
-  return static_cast<int>(
-      std::ranges::count_if(shared_->faults, [&](const TimedFault& f) { return f.fault == fault && t >= f.at_s; }));
-}
-
-int FaultPlan::begunForOnce(TouchpadFault fault, Instant now) const {
-  const double t = toSeconds(now - start_);
-  const std::scoped_lock lock(shared_->mutex);
-  return static_cast<int>(std::ranges::count_if(
-      shared_->faults, [&](const TimedFault& f) { return f.fault == fault && t >= f.at_s && f.for_s == 0.0; }));
+  return static_cast<int>(std::ranges::count_if(shared_->faults, [&](const TimedFault& f) {
+    return f.fault == fault && t >= f.at_s && (count == Count::all || f.for_s == 0.0);
+  }));
 }
 
 }  // namespace fyd::sim

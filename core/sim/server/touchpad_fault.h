@@ -57,11 +57,11 @@ class FaultPlan {
   void add(TouchpadFault fault, Instant now, double for_s) const;
 
   [[nodiscard]] bool active(TouchpadFault fault, Instant now) const;
+  enum class Count { all, without_duration };
   /// How many faults of this kind have begun: for those that happen once.
-  [[nodiscard]] int begun(TouchpadFault fault, Instant now) const;
-  /// The same of those without a duration, which are over with the first that meets them: one with a duration is not
-  /// made up for after its end by whoever asks then.
-  [[nodiscard]] int begunForOnce(TouchpadFault fault, Instant now) const;
+  /// @param count without_duration: those that are over with the first that meets them; one with a duration is not made
+  /// up for after its end by whoever asks then
+  [[nodiscard]] int begun(TouchpadFault fault, Instant now, Count count = Count::all) const;
 
  private:
   struct Shared {
