@@ -36,7 +36,7 @@ FAULT(bridge_invalid, 7, always, load_cell, signal, sentence("the load cell's va
 FAULT(camera_stale, 8, always, camera, devices, sentence("the camera sends no pictures"),
      sentence("Check the camera's cable or choose another source."), stale(in.finger, limits.finger_maximum_age_ms))
 FAULT(camera_blind, 9, always, camera, signal,
-     sentence("the camera sees nothing: picture black, white, of one grey or empty"),
+     sentence("the camera sees nothing: picture black, white, of one grey, empty or in an unknown light"),
      sentence("Check light and lens cap."),
      !stale(in.finger, limits.finger_maximum_age_ms) &&
        stays(Fault::camera_blind, !showsCloth(in.finger.value.reason), limits.finger_maximum_age_ms))

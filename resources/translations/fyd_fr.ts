@@ -8292,8 +8292,8 @@ Pour commencer : %1</translation>
         <translation>la caméra ne voit pas de doigt : appuyer sur le tissu au-dessus d'un capteur de distance</translation>
     </message>
     <message>
-        <source>the camera sees nothing: picture black, white, of one grey or empty</source>
-        <translation>la caméra ne voit rien : image noire, blanche, d'un seul gris ou vide</translation>
+        <source>the camera sees nothing: picture black, white, of one grey, empty or in an unknown light</source>
+        <translation>la caméra ne voit rien : image noire, blanche, d'un seul gris, vide ou de lumière inconnue</translation>
     </message>
     <message>
         <source>the camera sends no pictures</source>

@@ -8292,8 +8292,8 @@ Per cominciare: %1</translation>
         <translation>la telecamera non vede alcun dito: premere il tessuto sopra un sensore di distanza</translation>
     </message>
     <message>
-        <source>the camera sees nothing: picture black, white, of one grey or empty</source>
-        <translation>la telecamera non vede nulla: immagine nera, bianca, di un solo grigio o vuota</translation>
+        <source>the camera sees nothing: picture black, white, of one grey, empty or in an unknown light</source>
+        <translation>la telecamera non vede nulla: immagine nera, bianca, di un solo grigio, vuota o con luce sconosciuta</translation>
     </message>
     <message>
         <source>the camera sends no pictures</source>

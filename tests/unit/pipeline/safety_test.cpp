@@ -92,7 +92,7 @@ TEST(Safety, TheNumbersOfFaultsInFilesStay) {
       {6, "the load cell is silent"},
       {7, "the load cell's value is outside its span"},
       {8, "the camera sends no pictures"},
-      {9, "the camera sees nothing: picture black, white, of one grey or empty"},
+      {9, "the camera sees nothing: picture black, white, of one grey, empty or in an unknown light"},
       {10, "no robot has connected"},
       {11, "the robot is silent"},
       {12, "the robot has said goodbye"},
