@@ -48,6 +48,9 @@ Spectrogram spectrogram(std::span<const double> time_s, std::span<const float> s
   const std::size_t hop = n / 2;
   out.step_s = static_cast<double>(hop) / rate_Hz;
   for (std::size_t start = 0; start + n <= signal.size(); start += hop) {
+    // Later segments stand where they were measured: what a hole in time leaves out takes its place.
+    const double step = (time_s[start] - time_s.front()) / out.step_s;
+    while (static_cast<double>(out.segments()) + 0.5 < step) out.amplitude.insert(out.amplitude.end(), out.bins, kNaN);
     const auto part = signal.subspan(start, n);
     const double took_s = time_s[start + n - 1] - time_s[start];
     const bool whole = std::abs(took_s - length_s) <= tolerance * length_s &&

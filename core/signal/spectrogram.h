@@ -17,7 +17,7 @@ struct Spectrogram {
   double step_s = 0.0;        ///< between the middles of two segments
   double resolution_Hz = 0.0;
   std::size_t bins = 0;           ///< DC to half the rate
-  std::vector<double> amplitude;  ///< segment after segment, `bins` each; NaN in a segment with a hole
+  std::vector<double> amplitude;  ///< segment after segment, `bins` each; NaN in one with a hole or inside of one
 
   [[nodiscard]] std::size_t segments() const { return bins == 0 ? 0 : amplitude.size() / bins; }
   [[nodiscard]] std::span<const double> segment(std::size_t index) const {
@@ -27,7 +27,7 @@ struct Spectrogram {
   [[nodiscard]] std::vector<double> mean() const;
 };
 
-/// @param time_s of the samples, rising; a segment that is `tolerance` longer or shorter than its samples at
+/// @param time_s of the samples, rising; the answer takes memory for all of their span. A segment that is `tolerance` longer or shorter than its samples at
 ///               `rate_Hz` has a hole, and so has one with a value that is not finite
 /// @param segment samples, ≥ 8. Fewer samples than that, or spans of unequal length, give no segments
 [[nodiscard]] Spectrogram spectrogram(std::span<const double> time_s, std::span<const float> signal, double rate_Hz,

@@ -67,8 +67,29 @@ TEST(Spectrogram, AHoleAndAValueThatIsNoneAreNotCountedAsSilence) {
   const Spectrogram found = spectrogram(s.time_s, s.values, 1000.0, 512);
   std::size_t holes = 0;
   for (std::size_t i = 0; i < found.segments(); ++i) holes += std::isnan(found.segment(i)[64]) ? 1 : 0;
-  EXPECT_EQ(holes, 3U);  // two hold the NaN, one the half second that is missing
+  EXPECT_EQ(holes, 5U);  // two hold the NaN, one the beginning of the half second that is missing, two lie inside of it
   EXPECT_NEAR(found.mean()[64], 1.0, 1e-4);
+}
+
+TEST(Spectrogram, WhatFollowsAHoleInTimeStandsWhereItWasMeasured) {
+  Signal s = sine(4096, 125.0, 0.0);
+  for (std::size_t i = 2048; i < s.time_s.size(); ++i) {
+    s.time_s[i] += 10.24;  // 40 steps
+    s.values[i] = static_cast<float>(std::sin(2.0 * std::numbers::pi * 125.0 * s.time_s[i]));
+  }
+  const Spectrogram found = spectrogram(s.time_s, s.values, 1000.0, 512);
+  ASSERT_EQ(found.segments(), 15U + 40U);
+  for (std::size_t i = 0; i < found.segments(); ++i) {
+    const double middle_s = found.first_time_s + found.step_s * static_cast<double>(i);
+    const double level = found.segment(i)[64];
+    if (middle_s < 12.048 - 0.256) {
+      EXPECT_NEAR(level, 0.0, 1e-9) << middle_s;
+    } else if (middle_s > 22.288 + 0.255) {
+      EXPECT_NEAR(level, 1.0, 1e-4) << middle_s;
+    } else {
+      EXPECT_TRUE(std::isnan(level)) << middle_s;
+    }
+  }
 }
 
 TEST(Spectrogram, OddRequestsGiveNothing) {
