@@ -80,6 +80,37 @@ class ControlTest : public QObject {
     QCOMPARE(held.count(), 0);
   }
 
+  void lettingGoEarlyIsHeardThoughTheWindowWasBusy() {
+    widgets::HoldButton button(QStringLiteral("Hold to arm"));
+    button.resize(120, 40);
+    button.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&button, kPatience_ms));
+    QSignalSpy held(&button, &widgets::HoldButton::held);
+    // Timers first, as after a stall: what the hand did meanwhile still waits.
+    const auto stall = [](int ms) {
+      QThread::msleep(static_cast<unsigned long>(ms));
+      QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+    };
+    QTest::mousePress(&button, Qt::LeftButton);
+    stall(2 * widgets::HoldButton::kHold_ms);
+    QCOMPARE(held.count(), 0);
+    QTest::mouseRelease(&button, Qt::LeftButton);
+    // Short of the whole hold by the last stall only.
+    QTest::mousePress(&button, Qt::LeftButton);
+    constexpr int kStep_ms = widgets::HoldButton::kLongestStep_ms;
+    for (int i = 0; i < widgets::HoldButton::kHold_ms / kStep_ms; ++i) stall(kStep_ms + 5);
+    QVERIFY(button.progress() > 0.5);
+    QCOMPARE(held.count(), 0);
+    QTest::mouseRelease(&button, Qt::LeftButton);
+    passTimers(widgets::HoldButton::kHold_ms + 200);
+    QCOMPARE(held.count(), 0);
+    // A window that is always slow still arms.
+    QTest::mousePress(&button, Qt::LeftButton);
+    for (int i = 0; i < 1000 && held.isEmpty(); ++i) stall(kStep_ms + 5);
+    QCOMPARE(held.count(), 1);
+    QTest::mouseRelease(&button, Qt::LeftButton);
+  }
+
   void onePressBeginsOneHoldThoughTheMouseComesBack() {
     widgets::HoldButton button(QStringLiteral("Hold to move"));
     button.resize(120, 40);

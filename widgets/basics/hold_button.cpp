@@ -23,15 +23,14 @@ HoldButton::HoldButton(const QString& text, QWidget* parent) : QPushButton(text,
   connect(this, &QPushButton::released, this, &HoldButton::cancel);
 }
 
-double HoldButton::progress() const {
-  return holding_ ? std::min(1.0, static_cast<double>(held_for_.elapsed()) / kHold_ms) : 0.0;
-}
+double HoldButton::progress() const { return holding_ ? std::min(1.0, static_cast<double>(held_ms_) / kHold_ms) : 0.0; }
 
 void HoldButton::begin() {
   if (!fresh_ || !isEnabled()) return;
   fresh_ = false;
   holding_ = true;
-  held_for_.start();
+  held_ms_ = 0;
+  since_tick_.start();
   timer_.start();
 }
 
@@ -53,7 +52,11 @@ void HoldButton::stop() {
 }
 
 void HoldButton::tick() {
-  if (held_for_.elapsed() >= kHold_ms) {
+  // After a stall Qt runs this before it delivers the letting go that waits, so what passed unheard does not count. And
+  // the whole hold acts only at the next tick: whatever had come until then has been heard in between.
+  const bool whole = held_ms_ >= kHold_ms;
+  held_ms_ += std::min<qint64>(since_tick_.restart(), kLongestStep_ms);
+  if (whole) {
     holding_ = false;
     timer_.stop();
     engaged_ = true;

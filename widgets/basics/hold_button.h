@@ -1,7 +1,8 @@
 // A button that acts only after it was held for a while, by mouse or by key: so that motion starts
-// only deliberately. Letting go early, leaving the button, losing the focus or Esc cancels it; one press begins one hold,
-// so coming back to the button with the mouse or key still down begins none. The progress is drawn in the button. What is
-// to last only while the button is held ends with `letGo`.
+// only deliberately. Letting go early, leaving the button, losing the focus or Esc cancels it, also while the window was
+// busy: time in which it heard nothing is not held. One press begins one hold, so coming back to the button with the
+// mouse or key still down begins none. The progress is drawn in the button. What is to last only while the button is
+// held ends with `letGo`.
 #pragma once
 
 #include <QElapsedTimer>
@@ -14,6 +15,8 @@ class HoldButton : public QPushButton {
   Q_OBJECT
  public:
   static constexpr int kHold_ms = 600;
+  /// At most so much of the hold passes from one look at it to the next.
+  static constexpr int kLongestStep_ms = 50;
 
   explicit HoldButton(const QString& text, QWidget* parent = nullptr);
   /// 0 … 1
@@ -45,7 +48,8 @@ class HoldButton : public QPushButton {
   void cancel();
   void tick();
 
-  QElapsedTimer held_for_;
+  QElapsedTimer since_tick_;
+  qint64 held_ms_ = 0;
   QTimer timer_;
   bool holding_ = false;
   bool engaged_ = false;
