@@ -119,6 +119,36 @@ class TuningTest : public QObject {
     QVERIFY(!field->property("refused").toBool());
   }
 
+  void aNumberThatIsLeftWithoutEnterIsSetBack() {
+    TuningFixture f;
+    QSignalSpy asked(&f.model, &widgets::TuningModel::asked);
+    QLineEdit* field = f.panel->row(QStringLiteral("a.target"))->field();
+    const auto write = [&] {
+      field->setFocus();
+      field->selectAll();
+      QTest::keyClicks(field, QStringLiteral("2"));  // of 2.5, say
+    };
+    const auto leave = [&](Qt::FocusReason reason) {
+      QFocusEvent out(QEvent::FocusOut, reason);
+      QApplication::sendEvent(field, &out);
+    };
+    const auto ways = {
+        std::function([&] { QTest::keyClick(field, Qt::Key_Tab); }),
+        std::function([&] { f.panel->row(QStringLiteral("a.gain"))->field()->setFocus(); }),
+        std::function([&] { leave(Qt::ActiveWindowFocusReason); }),  // another window comes to the front
+    };
+    for (const auto& way : ways) {
+      write();
+      leave(Qt::PopupFocusReason);  // the field's own menu
+      QCOMPARE(field->text(), QStringLiteral("2"));
+      way();
+      QCOMPARE(f.value("a.target"), 0.6);
+      QCOMPARE(field->text(), QStringLiteral("0.6"));
+      QVERIFY(!field->isModified());
+    }
+    QCOMPARE(asked.count(), 0);
+  }
+
   void everyChangeIsUndoneAndADragIsOneChange() {
     TuningFixture f;
     widgets::TuningRow* row = f.panel->row(QStringLiteral("a.percent"));

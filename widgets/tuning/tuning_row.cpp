@@ -181,8 +181,8 @@ void TuningRow::buildNumber() {
   field_->setAlignment(Qt::AlignRight);
   field_->installEventFilter(this);
   connect(slider_, &QSlider::valueChanged, this, &TuningRow::takeSlider);
-  connect(field_, &QLineEdit::returnPressed, this, [this] { by_enter_ = true; });
-  connect(field_, &QLineEdit::editingFinished, this, &TuningRow::takeField);
+  // Enter only: a number that is half written must not act because another window came to the front.
+  connect(field_, &QLineEdit::returnPressed, this, &TuningRow::takeField);
   connect(field_, &QLineEdit::textEdited, this, [this] { markRefused(false); });
 }
 
@@ -220,9 +220,8 @@ void TuningRow::takeSlider(int position) {
 }
 
 void TuningRow::takeField() {
-  const bool by_enter = std::exchange(by_enter_, false);
-  if (!field_->isModified()) {  // the signal also comes when the field only loses the focus
-    if (by_enter) emit entered();
+  if (!field_->isModified()) {
+    emit entered();
     return;
   }
   field_->setModified(false);
@@ -230,12 +229,12 @@ void TuningRow::takeField() {
   const auto ok = model_.change(id_std_, value);
   const bool asked = model_.question() && model_.question()->id == id_;
   if (ok && asked) {
-    if (by_enter) question_->takeFocus();
+    question_->takeFocus();
     return;
   }
   if (ok) {
     refresh();
-    if (by_enter) emit entered();
+    emit entered();
     return;
   }
   markRefused(true);
@@ -261,6 +260,13 @@ void TuningRow::showQuestion() {
   }
   refresh();
   question_->showQuestion(question->words);
+}
+
+void TuningRow::giveUpEntry() {
+  if (!field_->isModified() && !field_->property("refused").toBool()) return;
+  field_->setModified(false);
+  markRefused(false);
+  refresh();
 }
 
 void TuningRow::markRefused(bool refused) {
@@ -339,7 +345,10 @@ bool TuningRow::eventFilter(QObject* watched, QEvent* event) {
       static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason) {
     QMetaObject::invokeMethod(field_, &QLineEdit::selectAll, Qt::QueuedConnection);
   }
-  if (watched == field_ && event->type() == QEvent::FocusOut && field_->property("refused").toBool()) refresh();
+  if (watched == field_ && event->type() == QEvent::FocusOut &&
+      static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason) {  // its own menu gives the focus back
+    giveUpEntry();
+  }
   return QWidget::eventFilter(watched, event);
 }
 

@@ -66,6 +66,8 @@ class TuningRow : public QWidget {
   void refreshMark();
   void takeSlider(int position);
   void takeField();
+  /// What was written and not taken is gone: the field shows the value in use again.
+  void giveUpEntry();
   void showQuestion();
   void markRefused(bool refused);
   [[nodiscard]] double toValue(int position) const;
@@ -89,7 +91,6 @@ class TuningRow : public QWidget {
   QLabel* facts_ = nullptr;
   QSlider* slider_ = nullptr;
   QLineEdit* field_ = nullptr;
-  bool by_enter_ = false;  ///< the entry that is being taken was ended by Enter
   TuningQuestionBox* question_ = nullptr;
   QComboBox* choice_ = nullptr;
 };
