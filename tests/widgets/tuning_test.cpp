@@ -80,6 +80,31 @@ class TuningTest : public QObject {
     QVERIFY(f.value("a.percent") > 12.5);
   }
 
+  void aSliderOfAWholeNumberHasNothingBetweenThem() {
+    TuningFixture f;
+    QSignalSpy refused(f.panel.get(), &widgets::TuningPanel::refused);
+    QSlider* slider = f.panel->row(QStringLiteral("a.count"))->slider();
+    for (int position = 0; position <= slider->maximum(); ++position) {
+      slider->setValue(position);
+      QCOMPARE(f.value("a.count"), 1.0 + position);
+      QCOMPARE(slider->value(), position);
+    }
+    QCOMPARE(f.value("a.count"), 9.0);
+    QCOMPARE(refused.count(), 0);
+  }
+
+  void aSliderThatIsRefusedGoesBackToTheValueInUse() {
+    TuningFixture f;
+    QSignalSpy refused(f.panel.get(), &widgets::TuningPanel::refused);
+    QSlider* slider = f.panel->row(QStringLiteral("a.percent"))->slider();
+    const int saved = slider->value();
+    f.type("a.percent", QStringLiteral("12.5"));
+    f.model.feelSaved(true);
+    slider->setValue(slider->maximum());
+    QCOMPARE(refused.count(), 1);
+    QCOMPARE(slider->value(), saved);
+  }
+
   void everyFieldRefusesWhatIsOutOfPlace() {
     TuningFixture f;
     QSignalSpy refused(f.panel.get(), &widgets::TuningPanel::refused);

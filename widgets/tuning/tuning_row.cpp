@@ -167,10 +167,13 @@ void TuningRow::buildNumber() {
   const TunedParameter& p = parameter();
   lower_ = std::isfinite(p.info.info.minimum) ? p.info.info.minimum : -sliderEnd(p);
   upper_ = sliderEnd(p);
+  if (p.info.kind == ParameterKind::integer) {
+    steps_ = static_cast<int>(std::clamp(upper_ - lower_, 1.0, static_cast<double>(steps_)));
+  }
   slider_ = new QSlider(Qt::Horizontal, this);
   slider_->setObjectName(id_ + QStringLiteral("_slider"));
-  slider_->setRange(0, kSteps);
-  slider_->setPageStep(kSteps / 20);
+  slider_->setRange(0, steps_);
+  slider_->setPageStep(std::max(1, steps_ / 20));
   slider_->setProperty("quantity", quantity_ == Quantity::stiffness   ? "stiffness"
                                    : quantity_ == Quantity::vibration ? "vibration"
                                                                       : "");
@@ -195,26 +198,31 @@ void TuningRow::buildChoice() {
   choice_->setFocusPolicy(Qt::StrongFocus);
   choice_->installEventFilter(this);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
-    if (const auto ok = model_.change(id_std_, index); !ok) emit refused(coreText(ok.error().message), id_);
+    if (const auto ok = model_.change(id_std_, index); !ok) {
+      refresh();
+      emit refused(coreText(ok.error().message), id_);
+    }
   });
 }
 
 double TuningRow::toValue(int position) const {
-  if (position == kSteps) return upper_;
-  const double raw = lower_ + (upper_ - lower_) * position / kSteps;
+  if (position == steps_) return upper_;
+  const double raw = lower_ + (upper_ - lower_) * position / steps_;
+  if (parameter().info.kind == ParameterKind::integer) return std::clamp(std::round(raw), lower_, upper_);
   // As many digits as a step of the slider means, so that the field shows 0.62 and not 0.6187500.
-  const double digit = std::pow(10.0, std::floor(std::log10((upper_ - lower_) / kSteps)));
+  const double digit = std::pow(10.0, std::floor(std::log10((upper_ - lower_) / steps_)));
   const double inverse = std::round(1.0 / digit);
   const double rounded = inverse >= 1.0 ? std::round(raw * inverse) / inverse : std::round(raw / digit) * digit;
   return std::clamp(rounded, lower_, upper_);
 }
 
 int TuningRow::toPosition(double value) const {
-  return static_cast<int>(std::lround(std::clamp((value - lower_) / (upper_ - lower_), 0.0, 1.0) * kSteps));
+  return static_cast<int>(std::lround(std::clamp((value - lower_) / (upper_ - lower_), 0.0, 1.0) * steps_));
 }
 
 void TuningRow::takeSlider(int position) {
   if (const auto ok = model_.change(id_std_, toValue(position), true); !ok) {
+    refresh();  // it must not stand where no value is
     emit refused(coreText(ok.error().message), id_);
   }
 }

@@ -53,8 +53,6 @@ class TuningRow : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  static constexpr int kSteps = 400;
-
   QToolButton* buildBack(const QString& symbol, const QString& words);
   void buildNumber();
   void buildChoice();
@@ -80,6 +78,7 @@ class TuningRow : public QWidget {
   Quantity quantity_;
   double lower_ = 0.0;  ///< the slider's ends; the field takes the whole range
   double upper_ = 1.0;
+  int steps_ = 400;  ///< of the slider; of a whole number at most as many as its values allow
   QLabel* name_ = nullptr;
   QLabel* mark_ = nullptr;
   QToolButton* reset_ = nullptr;
