@@ -215,6 +215,26 @@ class TuningTest : public QObject {
     QCOMPARE(f.model.undoStack()->count(), 0);
   }
 
+  void whatIsBeingWrittenStaysThoughTheValueChangesElsewhere() {
+    TuningFixture f;
+    widgets::TuningRow* row = f.panel->row(QStringLiteral("a.percent"));
+    for (const bool refused : {false, true}) {
+      const QString entry = refused ? QStringLiteral("999") : QStringLiteral("4");
+      row->field()->setFocus();
+      row->field()->selectAll();
+      QTest::keyClicks(row->field(), entry);
+      if (refused) QTest::keyClick(row->field(), Qt::Key_Return);
+      f.model.accept("a.percent", refused ? 60.0 : 50.0);
+      emit widgets::Look::instance().changed();
+      QCOMPARE(row->field()->text(), entry);
+      QCOMPARE(row->field()->property("refused").toBool(), refused);
+      QCOMPARE(row->slider()->value(), refused ? 240 : 200);
+    }
+    f.type("a.percent", QStringLiteral("45"));
+    QCOMPARE(f.value("a.percent"), 45.0);
+    QCOMPARE(row->field()->text(), QStringLiteral("45"));
+  }
+
   /// Gains from 5 up are doubted, as the loop's model doubts some.
   static void doubtLargeGains(widgets::TuningModel& model) {
     model.setDoubt([](std::span<const widgets::Setting> next) {

@@ -270,8 +270,10 @@ void TuningRow::showQuestion() {
   question_->showQuestion(question->words);
 }
 
+bool TuningRow::holdsAnEntry() const { return field_->isModified() || field_->property("refused").toBool(); }
+
 void TuningRow::giveUpEntry() {
-  if (!field_->isModified() && !field_->property("refused").toBool()) return;
+  if (!holdsAnEntry()) return;
   field_->setModified(false);
   markRefused(false);
   refresh();
@@ -297,10 +299,13 @@ void TuningRow::refresh() {
     const QSignalBlocker quiet(slider_);
     slider_->setValue(toPosition(shown));
     slider_->setEnabled(free);
-    field_->setText(plainNumber(shown));
-    field_->setModified(false);
     field_->setEnabled(free);
-    markRefused(false);
+    // What is being written, or mended, is the operator's, whatever changes elsewhere.
+    if (!field_->hasFocus() || !holdsAnEntry()) {
+      field_->setText(plainNumber(shown));
+      field_->setModified(false);
+      markRefused(false);
+    }
   }
   refreshMark();
   reset_->setVisible(felt != p.standard);
@@ -340,8 +345,7 @@ bool TuningRow::eventFilter(QObject* watched, QEvent* event) {
     return true;
   }
   // A field in which nothing was typed has nothing to take back: undo and redo are then of the values.
-  if (watched == field_ && event->type() == QEvent::ShortcutOverride && !field_->isModified() &&
-      !field_->property("refused").toBool()) {
+  if (watched == field_ && event->type() == QEvent::ShortcutOverride && !holdsAnEntry()) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
       event->ignore();

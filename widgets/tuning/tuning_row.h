@@ -66,6 +66,8 @@ class TuningRow : public QWidget {
   void takeField();
   /// What was written and not taken is gone: the field shows the value in use again.
   void giveUpEntry();
+  /// The field has something that is not taken: being written, or refused.
+  [[nodiscard]] bool holdsAnEntry() const;
   void showQuestion();
   void markRefused(bool refused);
   [[nodiscard]] double toValue(int position) const;
