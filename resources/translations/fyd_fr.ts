@@ -338,12 +338,12 @@
         <translation>%1 : fait</translation>
     </message>
     <message>
-        <source>%1: expected a number</source>
-        <translation>%1 : un nombre est attendu</translation>
+        <source>%1: expected %2 to %3 s</source>
+        <translation>%1 : de %2 à %3 s attendues</translation>
     </message>
     <message>
-        <source>%1: expected at least %2 s</source>
-        <translation>%1 : au moins %2 s attendues</translation>
+        <source>%1: expected a number from %2 to %3</source>
+        <translation>%1 : un nombre de %2 à %3 est attendu</translation>
     </message>
     <message>
         <source>%1: now</source>

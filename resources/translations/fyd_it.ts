@@ -338,12 +338,12 @@
         <translation>%1: fatto</translation>
     </message>
     <message>
-        <source>%1: expected a number</source>
-        <translation>%1: atteso un numero</translation>
+        <source>%1: expected %2 to %3 s</source>
+        <translation>%1: attesi da %2 a %3 s</translation>
     </message>
     <message>
-        <source>%1: expected at least %2 s</source>
-        <translation>%1: attesi almeno %2 s</translation>
+        <source>%1: expected a number from %2 to %3</source>
+        <translation>%1: atteso un numero da %2 a %3</translation>
     </message>
     <message>
         <source>%1: now</source>

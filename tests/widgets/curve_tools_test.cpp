@@ -278,6 +278,7 @@ class CurveToolsTest : public QObject {
     const auto enter = [&](QLineEdit* field, const char* text) {
       field->setFocus();
       field->setText(QString::fromUtf8(text));
+      field->setModified(true);  // as by a key
       QTest::keyClick(field, Qt::Key_Return);
     };
     enter(panel->lowerField(0), "−1,5");
@@ -290,16 +291,26 @@ class CurveToolsTest : public QObject {
       QVERIFY2(panel->problem().contains(QString::fromUtf8(wrong)), wrong);
       QCOMPARE(f.curves->strip(0)->shownRange(), (widgets::Range{-1.5, 8.0}));
     }
+    for (const char* beyond : {"1e10", "-1e10"}) {
+      enter(panel->upperField(0), beyond);
+      QVERIFY2(panel->problem().contains(QStringLiteral("to 1000000000")), qPrintable(panel->problem()));
+    }
     for (QLineEdit* field : {panel->lowerField(0), panel->upperField(0)}) enter(field, "");
     QVERIFY(panel->problem().isEmpty());
     QVERIFY(!f.curves->strip(0)->chosenRange());
-    for (const char* wrong : {"", "0", "-3", "nan", "x"}) {
+    for (const char* wrong : {"", "0", "-3", "nan", "x", "500", "2000000000"}) {
       enter(panel->spanField(), wrong);
-      QVERIFY2(!panel->problem().isEmpty(), wrong);
+      QVERIFY2(panel->problem().contains(QStringLiteral("0.02 to 240 s")), wrong);
       QCOMPARE(f.curves->timeWindow().span_s(), 10.0);
     }
     enter(panel->spanField(), "2.5");
     QCOMPARE(f.curves->timeWindow().span_s(), 2.5);
+    // Going through fields in which nothing is written changes nothing.
+    f.curves->strip(0)->chooseRange(widgets::Range{1.0, 2.0});
+    panel->lowerField(0)->setFocus();
+    for (int i = 0; i < 2; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    QCOMPARE(f.curves->strip(0)->shownRange(), (widgets::Range{1.0, 2.0}));
+    f.curves->strip(0)->chooseRange(std::nullopt);
     f.key(Qt::Key_R);
     const widgets::Range held = f.curves->strip(0)->shownRange();
     auto high = rise(10, 4.0);

@@ -356,7 +356,8 @@ class MannersTest : public QObject {
     for (const char* end : {"from_force", "to_force"}) {
       auto* field = panel->findChild<QLineEdit*>(QLatin1String(end));
       field->setFocus();
-      field->clear();
+      field->selectAll();
+      QTest::keyClick(field, Qt::Key_Delete);
       QTest::keyClick(field, Qt::Key_Return);
     }
     QVERIFY(!stack->strip(0)->chosenRange() && stack->strip(1)->chosenRange() && !hold(*window)->isChecked());

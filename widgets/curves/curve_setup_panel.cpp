@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/basics/icon.h"
@@ -116,7 +117,7 @@ void CurveSetupPanel::addRow(QGridLayout* grid, std::size_t index) {
     field->setPlaceholderText(tr("auto"));
     field->setAlignment(Qt::AlignRight);
     field->setFixedWidth(7 * kGrid);
-    connect(field, &QLineEdit::editingFinished, this, [this, index] { takeRange(index); });
+    connect(field, &QLineEdit::editingFinished, this, [this, index, field] { takeRange(index, field); });
     grid->addWidget(field, line, column++);
   }
   rows_.push_back(row);
@@ -149,7 +150,9 @@ void CurveSetupPanel::refuse(QLineEdit* field, const QString& why) {
   problem_->show();
 }
 
-void CurveSetupPanel::takeRange(std::size_t index) {
+void CurveSetupPanel::takeRange(std::size_t index, QLineEdit* changed) {
+  if (!changed->isModified()) return;  // the signal also comes when the field only loses the focus
+  changed->setModified(false);
   const Row& row = rows_[index];
   for (QLineEdit* field : {row.lower, row.upper}) markRefused(field, false);
   problem_->hide();
@@ -165,7 +168,8 @@ void CurveSetupPanel::takeRange(std::size_t index) {
   for (QLineEdit* field : {row.lower, row.upper}) {
     const double value = readNumber(field->text());
     if (!(std::abs(value) <= kLargestChosen)) {
-      refuse(field, tr("%1: expected a number").arg(field->text()));
+      refuse(field, tr("%1: expected a number from %2 to %3")
+                        .arg(field->text(), plainNumber(-kLargestChosen), plainNumber(kLargestChosen)));
       return;
     }
   }
@@ -179,12 +183,17 @@ void CurveSetupPanel::takeRange(std::size_t index) {
 }
 
 void CurveSetupPanel::takeSpan() {
+  if (!span_->isModified()) return;
+  span_->setModified(false);
   markRefused(span_, false);
   problem_->hide();
   problem_->clear();
   const double span_s = readNumber(span_->text());
-  if (!(span_s >= TimeWindow::kShortest_s && span_s <= kLargestChosen)) {
-    refuse(span_, tr("%1: expected at least %2 s").arg(span_->text(), plainNumber(TimeWindow::kShortest_s)));
+  const double longest_s = std::min(stack_->window().longest_s(), kLargestChosen);
+  if (!(span_s >= TimeWindow::kShortest_s && span_s <= longest_s)) {
+    refuse(
+        span_,
+        tr("%1: expected %2 to %3 s").arg(span_->text(), plainNumber(TimeWindow::kShortest_s), plainNumber(longest_s)));
     return;
   }
   stack_->forEachWindow([span_s](TimeWindow& window) {

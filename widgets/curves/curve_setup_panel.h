@@ -42,7 +42,7 @@ class CurveSetupPanel : public QWidget {
   };
   void build();
   void addRow(class QGridLayout* grid, std::size_t index);
-  void takeRange(std::size_t index);
+  void takeRange(std::size_t index, QLineEdit* changed);
   void takeSpan();
   void refuse(QLineEdit* field, const QString& why);
 

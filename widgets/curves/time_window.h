@@ -14,6 +14,8 @@ class TimeWindow {
 
   [[nodiscard]] double from_s() const { return end_s_ - span_s_; }
   [[nodiscard]] double to_s() const { return end_s_; }
+  /// No span is longer.
+  [[nodiscard]] double longest_s() const { return longest_s_; }
   [[nodiscard]] double span_s() const { return span_s_; }
   [[nodiscard]] bool following() const { return following_; }
   /// The span that `follow` returns to; the operator's choice of window length.
