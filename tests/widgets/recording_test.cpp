@@ -329,6 +329,27 @@ class RecordingTest : public QObject {
     QVERIFY2(f.told().contains(QStringLiteral("did not close")), qPrintable(f.told()));
   }
 
+  void aFailureIsReadThoughTheRecordingWasNeverSeenToRun() {
+    RecordingFixture f;
+    const QString usual = f.form->hint();
+    f.session->recorder = {.state = RecorderState::failed,
+                           .path = f.folder.filePath(QStringLiteral("one.h5")).toStdString(),
+                           .problem = verbatim("the disk is full; free some space")};
+    f.window->feed().pump();
+    QVERIFY(f.button().contains(QStringLiteral("failed")));
+    QVERIFY2(f.form->hint().contains(QStringLiteral("free some space")), qPrintable(f.form->hint()));
+    // What is said of an entry stays while there is no other failure.
+    write(f.form->operatorField(), {});
+    QTest::keyClick(f.form->operatorField(), Qt::Key_Return);
+    const QString about_the_entry = f.form->hint();
+    QVERIFY(!about_the_entry.contains(QStringLiteral("free some space")));
+    f.window->feed().pump();
+    QCOMPARE(f.form->hint(), about_the_entry);
+    f.session->recorder = {};
+    f.window->feed().pump();
+    QCOMPARE(f.form->hint(), usual);
+  }
+
   void whatIsAlwaysTheSameIsRemembered() {
     RecordingFixture f;
     write(f.form->subjectField(), QStringLiteral("S07"));

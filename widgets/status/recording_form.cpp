@@ -152,6 +152,7 @@ void RecordingForm::suggest() {
 void RecordingForm::setRecording(const RecordingView& view) {
   const bool was = view_.state == RecordingView::State::recording;
   const bool is = view.state == RecordingView::State::recording;
+  const bool news = view.problem != view_.problem;  // also of a recording that failed before it was seen to run
   view_ = view;
   const bool loses_focus = was != is && isAncestorOf(QApplication::focusWidget());
   before_->setVisible(!is);
@@ -169,7 +170,7 @@ void RecordingForm::setRecording(const RecordingView& view) {
                             .arg(view.lost)
                       : QString(),
         "danger");
-  } else if (was || hint_->text().isEmpty()) {
+  } else if (was || news || hint_->text().isEmpty()) {
     mark(Field::none);
   }
 }
