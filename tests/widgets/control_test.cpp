@@ -181,6 +181,16 @@ class ControlTest : public QObject {
     QTest::mouseRelease(bar.stopButton(), Qt::LeftButton);
   }
 
+  void unknownIsTimedFromTheSilenceOn() {
+    widgets::StateBar bar;
+    bar.showState(SafetyState::active, Fault::none);
+    QTest::qWait(1100);
+    bar.showSilence(true);
+    QCOMPARE(bar.stateTime(), QStringLiteral("for 0 s"));
+    bar.showSilence(false);  // the state that it still is
+    QVERIFY(bar.stateTime() != QStringLiteral("for 0 s"));
+  }
+
   void readinessCountsAndTellsTheRemedy() {
     widgets::ReadinessList list;
     list.setRows({{QStringLiteral("Motors answer"), true, {}},

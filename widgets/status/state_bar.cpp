@@ -231,6 +231,7 @@ void StateBar::showClosed(bool closed) {
 void StateBar::showSilence(bool silent) {
   if (silent == silent_) return;
   silent_ = silent;
+  silent_since_.start();
   refresh();
 }
 
@@ -244,7 +245,7 @@ void StateBar::refresh() {
   } else if (!known_) {
     words = {tr("Starting"), tr("Waiting for the haptic loop."), {}, QStringLiteral("state-disconnected")};
     colour = theme().muted;
-  } else if (silent_) {
+  } else if (unknown()) {
     words = {tr("Unknown"), tr("The haptic loop says nothing; the last state was %1.").arg(words.word),
              tr("Press Esc, then restart the program."), QStringLiteral("state-held")};
     colour = theme().warning;
@@ -269,7 +270,9 @@ void StateBar::refresh() {
 }
 
 void StateBar::refreshSince() {
-  since_label_->setText(tr("for %1").arg(durationText(static_cast<double>(since_.elapsed()) / 1000.0)));
+  // The state's own time goes on behind a silence: where the loop speaks again, it may never have changed.
+  const qint64 elapsed_ms = (unknown() ? silent_since_ : since_).elapsed();
+  since_label_->setText(tr("for %1").arg(durationText(static_cast<double>(elapsed_ms) / 1000.0)));
 }
 
 }  // namespace fyd::widgets

@@ -47,6 +47,7 @@ class StateBar : public QFrame {
   [[nodiscard]] SimulatedBadge* badge() const { return badge_; }
   [[nodiscard]] QString stateWord() const { return word_->text(); }
   [[nodiscard]] QString stateReason() const { return reason_; }
+  [[nodiscard]] QString stateTime() const { return since_label_->text(); }
 
  signals:
   void stopAsked();
@@ -63,6 +64,8 @@ class StateBar : public QFrame {
   [[nodiscard]] Room roomIn(int width) const;
   void refresh();
   void refreshSince();
+  /// The state is not known any more, for the loop says nothing.
+  [[nodiscard]] bool unknown() const { return known_ && !closed_ && silent_; }
 
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
   pipeline::Fault fault_ = pipeline::Fault::none;
@@ -76,6 +79,7 @@ class StateBar : public QFrame {
   bool closed_ = false;
   bool silent_ = false;
   QElapsedTimer since_;
+  QElapsedTimer silent_since_;
   QTimer since_timer_;
   QLabel* shape_ = nullptr;
   QLabel* word_ = nullptr;
