@@ -223,6 +223,17 @@ class ControlTest : public QObject {
     QCOMPARE(moved.last()[2].toDouble(), 4.25);
     QTest::mouseRelease(panel.image(), Qt::LeftButton, {}, middle);
     QCOMPARE(released.count(), 1);
+    const auto turn = [&](QPoint by) {
+      QWheelEvent event(middle, panel.image()->mapToGlobal(middle), {}, by, Qt::NoButton, Qt::NoModifier,
+                        Qt::NoScrollPhase, false);
+      QApplication::sendEvent(panel.image(), &event);
+    };
+    for (const int x : {-120, 120}) turn({x, 0});
+    QCOMPARE(panel.image()->depth_mm(), 4.25);
+    for (int i = 0; i < 20; ++i) turn({0, -6});  // a notch in the small turns of a touchpad
+    QVERIFY(std::abs(panel.image()->depth_mm() - 4.5) < 1e-9);
+    turn({0, 120});
+    QVERIFY(std::abs(panel.image()->depth_mm() - 4.25) < 1e-9);
     for (int i = 0; i < 100; ++i) QApplication::sendEvent(panel.image(), &wheel);
     QCOMPARE(panel.image()->depth_mm(), widgets::CameraImage::kMaximumDepth_mm);
   }

@@ -176,7 +176,10 @@ void CameraImage::wheelEvent(QWheelEvent* event) {
     event->ignore();
     return;
   }
-  changeDepth(event->angleDelta().y() > 0 ? -kDepthStep_mm : kDepthStep_mm);
+  // A touchpad divides a notch into many small turns, and turns to the side as well.
+  constexpr int kNotch = QWheelEvent::DefaultDeltasPerStep;
+  const int turn = event->angleDelta().y();
+  if (turn != 0) changeDepth(-kDepthStep_mm * turn / kNotch);
   event->accept();
 }
 
