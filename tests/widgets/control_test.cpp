@@ -3,6 +3,7 @@
 #include "tests/widgets/wait.h"
 #include "widgets/basics/icon.h"
 #include "widgets/devices/camera_panel.h"
+#include "widgets/devices/picture_pick.h"
 #include "widgets/status/log_view.h"
 #include "widgets/status/notice_stack.h"
 #include "widgets/status/readiness_list.h"
@@ -236,6 +237,30 @@ class ControlTest : public QObject {
     QVERIFY(std::abs(panel.image()->depth_mm() - 4.25) < 1e-9);
     for (int i = 0; i < 100; ++i) QApplication::sendEvent(panel.image(), &wheel);
     QCOMPARE(panel.image()->depth_mm(), widgets::CameraImage::kMaximumDepth_mm);
+  }
+
+  void aRegionIsTheSameWhicheverCornerItIsDraggedFrom() {
+    widgets::PicturePick pick;
+    pick.resize(320, 240);
+    pick.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&pick, kPatience_ms));
+    QImage picture(320, 240, QImage::Format_Grayscale8);
+    picture.fill(200);
+    pick.setPicture(picture);
+    pick.setKind(widgets::PickKind::rectangle);
+    QSignalSpy picked(&pick, &widgets::PicturePick::rectanglePicked);
+    const auto drag = [&](QPoint from, QPoint to) {
+      QTest::mousePress(&pick, Qt::LeftButton, {}, from);
+      QTest::mouseRelease(&pick, Qt::LeftButton, {}, to);
+      return pick.rectangle();
+    };
+    const QRect area(QPoint(40, 30), QPoint(240, 190));
+    const QRect region = drag(area.topLeft(), area.bottomRight());
+    QVERIFY(region.width() >= 200 && region.height() >= 160);
+    QCOMPARE(drag(area.bottomRight(), area.topLeft()), region);
+    QCOMPARE(drag(area.topRight(), area.bottomLeft()), region);
+    QCOMPARE(drag(area.bottomLeft(), area.topRight()), region);
+    QCOMPARE(picked.count(), 4);
   }
 
   void fingerFiguresAreNoneWithoutContactAndWithoutPicture() {

@@ -135,8 +135,11 @@ void PicturePick::mousePressEvent(QMouseEvent* event) {
 
 void PicturePick::mouseMoveEvent(QMouseEvent* event) {
   if (!pressed_) return;
-  const QPointF at = pictureAt(event->position());
-  setRectangle(QRect(pressed_->toPoint(), at.toPoint()).normalized());
+  const QPoint a = pressed_->toPoint();
+  const QPoint b = pictureAt(event->position()).toPoint();
+  // Both corners' pixels are within it, whichever way it is dragged: QRect::normalized() takes them away.
+  setRectangle(QRect(QPoint(std::min(a.x(), b.x()), std::min(a.y(), b.y())),
+                     QPoint(std::max(a.x(), b.x()), std::max(a.y(), b.y()))));
 }
 
 void PicturePick::mouseReleaseEvent(QMouseEvent* event) {
