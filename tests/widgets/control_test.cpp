@@ -201,6 +201,49 @@ class ControlTest : public QObject {
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](QLabel* l) { return l->text() == QStringLiteral("Light."); }));
   }
 
+  void theFocusStaysInTheReadinessWhileItsLinesChange() {
+    QWidget window;
+    auto* lines = new QVBoxLayout(&window);
+    auto* first = new QPushButton(QStringLiteral("First"), &window);
+    auto* list = new widgets::ReadinessList(&window);
+    auto* arm = new QPushButton(QStringLiteral("Arm"), &window);
+    for (QWidget* each : {static_cast<QWidget*>(first), static_cast<QWidget*>(list), static_cast<QWidget*>(arm)}) {
+      lines->addWidget(each);
+    }
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window, kPatience_ms));
+    const auto line = [](const QString& command, bool ok, const QString& why) {
+      widgets::ReadinessRow row{.what = command, .ok = ok};
+      if (ok) return row;
+      row.why = why;
+      row.command = row.action = command;
+      return row;
+    };
+    const auto show = [&](bool tared, const QString& why, bool linked) {
+      list->setRows({line(QStringLiteral("tare"), tared, why), line(QStringLiteral("link"), linked, why)});
+    };
+    const auto button = [&](const char* command) {
+      return list->findChild<QToolButton*>(QStringLiteral("mend_") + QLatin1String(command));
+    };
+    show(false, QStringLiteral("1 mm"), false);
+    WAIT_FOR(button("link")->isVisible());
+    first->setFocus();
+    QTest::keyClick(first, Qt::Key_Tab);
+    QVERIFY(button("tare")->hasFocus());
+    QTest::keyClick(button("tare"), Qt::Key_Tab);
+    show(false, QStringLiteral("2 mm"), false);
+    QVERIFY(button("link")->hasFocus());
+    // Pressed, it mends its own line: that line is gone while the button still acts.
+    connect(list, &widgets::ReadinessList::commandAsked, list, [&] { show(false, QStringLiteral("2 mm"), true); });
+    QTest::keyClick(button("link"), Qt::Key_Space);
+    QVERIFY(button("link") == nullptr);
+    QVERIFY(button("tare")->hasFocus());
+    show(true, {}, true);
+    QVERIFY(list->hasFocus());
+    QVERIFY(!arm->hasFocus());
+    WAIT_FOR(list->findChildren<QToolButton*>().isEmpty());
+  }
+
   void mouseOnThePictureMovesTheSimulatedFinger() {
     widgets::CameraPanel panel;
     panel.resize(340, 420);

@@ -30,7 +30,7 @@ void ReadinessList::rebuild() {
   const auto ready = std::count_if(rows_.begin(), rows_.end(), [](const ReadinessRow& row) { return row.ok; });
   title_->setText(rows_.empty() ? tr("Ready? Waiting for the station")
                                 : tr("Ready? %1/%2").arg(ready).arg(static_cast<qsizetype>(rows_.size())));
-  delete body_;
+  QWidget* former = body_;
   body_ = new QWidget(this);
   auto* grid = new QGridLayout(body_);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -54,6 +54,35 @@ void ReadinessList::rebuild() {
   }
   layout_->addWidget(body_);
   setAccessibleDescription(title_->text());
+  if (former != nullptr) retire(*former);
+  placeInTabOrder();
+}
+
+void ReadinessList::retire(QWidget& former) {
+  const QWidget* focus = window()->focusWidget();
+  if (focus != nullptr && former.isAncestorOf(focus)) {
+    // The same line's button, or another here, or the list: not what Qt finds next, which may arm.
+    body_->show();
+    QWidget* keeper = body_->findChild<QToolButton*>(focus->objectName());
+    if (keeper == nullptr) keeper = body_->findChild<QToolButton*>();
+    (keeper != nullptr ? keeper : this)->setFocus(Qt::OtherFocusReason);
+  }
+  former.hide();
+  for (QToolButton* each : former.findChildren<QToolButton*>()) {
+    each->setFocusPolicy(Qt::NoFocus);
+    each->setObjectName({});
+  }
+  former.deleteLater();  // one of its buttons may be the caller
+}
+
+void ReadinessList::placeInTabOrder() {
+  QWidget* before = previousInFocusChain();
+  while (before != this && !(before->focusPolicy() & Qt::TabFocus)) before = before->previousInFocusChain();
+  if (before == this) return;
+  for (QToolButton* each : body_->findChildren<QToolButton*>()) {
+    setTabOrder(before, each);
+    before = each;
+  }
 }
 
 void ReadinessList::addTrouble(QGridLayout& grid, const ReadinessRow& row, int& line) {

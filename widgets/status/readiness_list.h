@@ -37,6 +37,10 @@ class ReadinessList : public QFrame {
  private:
   void addTrouble(class QGridLayout& grid, const ReadinessRow& row, int& line);
   void rebuild();
+  /// The lines that were shown before go; the focus that one of their buttons had stays here.
+  void retire(QWidget& former);
+  /// New buttons stand last in the window's order; here they come where the list is.
+  void placeInTabOrder();
   std::vector<ReadinessRow> rows_;
   QLabel* title_ = nullptr;
   QWidget* body_ = nullptr;
