@@ -2,7 +2,11 @@
 //
 // MATLAB 5 is read by MATLAB, Octave and SciPy alike; its variables end at 2 GiB, which is 1.5 hours of all fields.
 // A struct must be written in one go, so the columns are kept in a mapped temporary file, not in memory.
+#include <array>
+#include <bit>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 
 #include "core/export/export_columns.h"
 #include "core/export/export_mat_value.h"
@@ -80,17 +84,55 @@ MatValue eventsStruct(const std::vector<LogLine>& lines, const ExportOptions& op
   return matStruct("events", std::move(fields));
 }
 
+/// Where the element of a MATLAB 5 file that begins at `at` ends, if it and all elements in it do so by `end`.
+std::optional<std::uint64_t> endOfElement(std::istream& file, std::uint64_t at, std::uint64_t end) {
+  constexpr std::uint32_t kMatrix = 14;    // the type whose content is elements
+  constexpr std::uint64_t kAlignment = 8;  // of every element's end
+  std::array<char, 8> tag{};
+  if (end - at < tag.size() || !file.seekg(static_cast<std::streamoff>(at)).read(tag.data(), tag.size())) {
+    return std::nullopt;
+  }
+  const auto [type, bytes] = std::bit_cast<std::array<std::uint32_t, 2>>(tag);
+  at += tag.size();
+  if (type >> 16U != 0) return at;  // a short element: its content is in its tag
+  const std::uint64_t stop = at + (bytes + kAlignment - 1) / kAlignment * kAlignment;
+  if (stop > end) return std::nullopt;
+  while (type == kMatrix && at < stop) {
+    const auto next = endOfElement(file, at, stop);
+    if (!next) return std::nullopt;
+    at = *next;
+  }
+  return stop;
+}
+
+/// Whether the file is so many whole variables and nothing else. libmatio does not notice every failed write, and where
+/// one failed the file may still be as large as the samples.
+bool holdsVariables(const std::string& path, std::size_t count) {
+  constexpr std::uint64_t kHeader_bytes = 128;
+  std::error_code gone;
+  const std::uint64_t size = std::filesystem::file_size(path, gone);
+  std::ifstream file(path, std::ios::binary);
+  std::optional<std::uint64_t> at = kHeader_bytes;
+  if (gone || size < kHeader_bytes) return false;
+  for (std::size_t i = 0; i < count && at; ++i) at = endOfElement(file, *at, size);
+  return at == size;
+}
+
 Result<void> writeVariables(const std::string& path, const std::string& shown, const std::vector<MatValue>& variables) {
   struct CloseMat {
     void operator()(mat_t* file) const { Mat_Close(file); }
   };
-  const std::unique_ptr<mat_t, CloseMat> file(Mat_CreateVer(path.c_str(), "FYD Console recording", MAT_FT_MAT5));
+  std::unique_ptr<mat_t, CloseMat> file(Mat_CreateVer(path.c_str(), "FYD Console recording", MAT_FT_MAT5));
   if (!file) return fail("{}: cannot be written", shown);
   for (const MatValue& variable : variables) {
     if (!variable) return fail("{}: no memory for its variables", shown);
     if (Mat_VarWrite(file.get(), variable.get(), MAT_COMPRESSION_NONE) != 0) {
       return fail("{}: writing {} failed; is the disk full?", shown, variable->name);
     }
+  }
+  const bool closed = Mat_Close(file.release()) == 0;  // writes what stdio still held
+  if (!closed || !holdsVariables(path, variables.size())) {
+    return fail("{}: not all of it could be written; is the disk full?", shown);
   }
   return {};
 }
@@ -138,11 +180,6 @@ Result<ExportResult> exportMat(const recording::Recording& recording, const std:
   variables.push_back(eventsStruct(*lines, options, result.lines));
 
   done = writeVariables(file->temporary(), path, variables);
-  // libmatio does not detect every failed write; the file's size does.
-  std::error_code gone;
-  if (const auto size = std::filesystem::file_size(file->temporary(), gone); done && (gone || size < payload)) {
-    done = fail("{}: not all of it could be written; is the disk full?", path);
-  }
   if (done) done = recording::tellProgress(options.progress, 1.0);
   if (done) done = file->commit();
   if (!done) return tl::unexpected(done.error());

@@ -201,6 +201,22 @@ TEST_F(Export, ADamagedRecordingOrAFullDiskLeavesNothing) {
   EXPECT_EQ(left, 0U);
 }
 
+TEST_F(Export, AMatFileCutAnywhereIsNoFile) {
+  const recording::FakeRecording recording = session(2000);
+  const ExportOptions options{.fields = {"step", "force_N"}};
+  done(exportRecording(recording, path("whole.mat"), options));
+  const auto whole = fs::file_size(path("whole.mat"));
+  const auto samples = 2000 * 3 * sizeof(double);
+  ASSERT_GT(whole, samples + 1000);
+  std::vector<std::uintmax_t> taken;  // with these limits it came to a result
+  for (std::uintmax_t limit = samples; limit <= whole; limit += std::clamp<std::uintmax_t>(whole - limit, 1, 97)) {
+    const FilesOfAtMost small(limit);
+    if (exportRecording(recording, path("cut.mat"), options)) taken.push_back(limit);
+  }
+  EXPECT_THAT(taken, testing::ElementsAre(whole));
+  EXPECT_EQ(files(), 2U);
+}
+
 TEST_F(Export, TellsHowFarItIsAndLeavesNothingWhenEnded) {
   recording::FakeRecording recording = session(5000);
   addPictures(recording, {0.0, 0.1, 0.2, 0.3});
