@@ -91,7 +91,7 @@ Result<double> checkParameter(const Parameter& parameter, double value, Ranges r
   if (!mayTake(parameter, value, ranges)) {
     return fail("{} = {}: expected {}", parameter.id, value, describeRange(parameter));
   }
-  return value;
+  return value + 0.0;  // -0 would be written as -0, an integer in TOML, and read again as 0: it is 0 at once
 }
 
 bool insideRange(const Parameter& parameter) {

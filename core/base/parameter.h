@@ -115,7 +115,7 @@ template <class Parameters>
 /// Whether `value` may be stored, of a list as one of its values: finite, in range, whole where it must be. A text takes
 /// none. Allocates nothing.
 [[nodiscard]] FYD_API bool mayTake(const Parameter& parameter, double value, Ranges ranges = Ranges::bind);
-/// The same; the message names id, value and range.
+/// The value to store, which is `value`, with 0 for -0; the message names id, value and range.
 [[nodiscard]] FYD_API Result<double> checkParameter(const Parameter& parameter, double value,
                                                     Ranges ranges = Ranges::bind);
 /// Whether its present value may be stored.

@@ -56,8 +56,7 @@ Result<double> readNumber(const Parameter& parameter, const toml::node& node, Ra
   }
   if (const auto value = node.value_exact<std::int64_t>())
     return checkParameter(parameter, static_cast<double>(*value), ranges);
-  // -0.0 would be written as -0, an integer, and read again as 0: it is 0 at once.
-  if (const auto value = node.value_exact<double>()) return checkParameter(parameter, *value + 0.0, ranges);
+  if (const auto value = node.value_exact<double>()) return checkParameter(parameter, *value, ranges);
   return fail("{}: expected {}", parameter.id, describeRange(parameter));
 }
 

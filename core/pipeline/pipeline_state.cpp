@@ -54,9 +54,9 @@ void writeParameters(StateWriter& archive, std::span<const Parameter> parameters
 }
 
 /// A live parameter may take any value it could have been set to; any other must have the value this pipeline was made
-/// with.
+/// with. Earlier versions saved a -0 where the profile beside it says 0.
 Result<void> takeValue(const Parameter& parameter, double own, double saved) {
-  if (std::bit_cast<std::uint64_t>(own) == std::bit_cast<std::uint64_t>(saved)) return {};
+  if (own == saved || std::bit_cast<std::uint64_t>(own) == std::bit_cast<std::uint64_t>(saved)) return {};
   if (!parameter.info.live) {
     return fail("{} was {} when the state was saved, here it is {}; expected the same", parameter.id, saved, own);
   }

@@ -223,12 +223,13 @@ Result<void> Station::setParameter(std::string_view id, double value) {
   const Parameter* parameter = findParameter(impl_->bound, id);
   if (parameter == nullptr) return fail("unknown parameter '{}'", id);
   if (!parameter->info.live) return fail("{} cannot change while the station runs", id);
-  if (auto checked = checkParameter(*parameter, value); !checked) return tl::unexpected(checked.error());
+  const auto checked = checkParameter(*parameter, value);
+  if (!checked) return tl::unexpected(checked.error());
   const auto index = static_cast<std::uint16_t>(parameter - impl_->bound.data());
-  if (!impl_->haptic.changes.push({.index = index, .value = value})) return fail("{}: too many changes at once", id);
+  if (!impl_->haptic.changes.push({.index = index, .value = *checked})) return fail("{}: too many changes at once", id);
   {
     const std::lock_guard lock(impl_->profile_mutex);
-    parameter->set(value);
+    parameter->set(*checked);
   }
   if (id.starts_with("sensing.finger_")) impl_->camera.configure(impl_->profile.step.sensing.finger);
   return {};

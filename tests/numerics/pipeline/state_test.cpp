@@ -233,6 +233,18 @@ TEST(OlderState, WithoutAParameterInTheMiddleLeavesItsValueAndTakesTheRest) {
   EXPECT_EQ(pipeline.parameters().texture.k_vib, advanced.pipeline->parameters().texture.k_vib);
 }
 
+TEST(OlderState, WithMinusZeroWhereTheProfileSaysZero) {
+  Parameters written;
+  written.sensing.indentation.ir_x_mm = {{-22.0, -0.0, 22.0}, 3};
+  const std::string state = Pipeline(written).saveState();
+  Pipeline pipeline{Parameters{}};
+  ASSERT_EQ(pipeline.parameters().sensing.indentation.ir_x_mm[1], 0.0);
+  ASSERT_NE(pipeline.saveState(), state);
+  const auto restored = pipeline.restoreState(state);
+  ASSERT_TRUE(restored) << restored.error().text();
+  EXPECT_EQ(pipeline.saveState(), state) << "with the bits it was recorded with";
+}
+
 TEST(NewerState, IsRefusedByTheNameOfWhatIsNotKnown) {
   const Advanced advanced(1);
   const std::string state = advanced.pipeline->saveState();

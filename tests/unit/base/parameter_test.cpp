@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/profile_text.h"
 
 namespace fyd {
@@ -72,6 +74,23 @@ TEST(Parameter, AProfileRoundTrips) {
   EXPECT_EQ(read.colour, Colour::red);
   EXPECT_TRUE(read.points.empty());
   EXPECT_EQ(read.where, written.where);
+}
+
+TEST(Parameter, MinusZeroIsZeroWhicheverWayItComesIn) {
+  Sample sample;
+  const auto parameters = bindParameters(sample);
+  const Parameter& gain = parameters[0];
+  const Parameter& points = parameters[4];
+  ASSERT_TRUE(assignParameter(gain, "-0"));
+  EXPECT_FALSE(std::signbit(sample.gain));
+  ASSERT_TRUE(assignParameter(points, "[-1, -0, -0.0]"));
+  EXPECT_EQ(formatParameter(points), "[-1, 0, 0]");
+  ASSERT_TRUE(parseProfile("[room]\ngain = -0.0\n[other]\npoints = [-0.0]\n", "p.toml", parameters));
+  EXPECT_FALSE(std::signbit(sample.gain));
+  EXPECT_EQ(formatParameter(points), "[0]");
+  const auto checked = checkParameter(gain, -0.0);
+  ASSERT_TRUE(checked);
+  EXPECT_FALSE(std::signbit(*checked));
 }
 
 TEST(Parameter, ATextIsOneLineAndNeverANumber) {
