@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "core/base/median.h"
 #include "core/catalogue/catalogue_types.h"
@@ -12,21 +14,22 @@
 namespace fyd::report {
 namespace {
 
-constexpr std::size_t kLogLinesShown = 300;
-constexpr std::size_t kGapsDrawn = 1000;
+constexpr std::size_t kLogLinesShown = 300;  ///< and more where more are serious
 
 /// Figures that need a pass over every row.
 struct RowFigures {
-  std::vector<ChartSpan> gaps;
-  std::uint64_t breaks = 0;    ///< stretches of lost samples
-  std::uint64_t lost = 0;      ///< samples lost in them
-  double missed_cycles = 0.0;  ///< of the haptic loop, while recording
+  std::vector<ChartSpan> gaps;  ///< as the figure can tell them apart
+  std::uint64_t breaks = 0;     ///< stretches of lost samples
+  std::uint64_t lost = 0;       ///< samples lost in them
+  double missed_cycles = 0.0;   ///< of the haptic loop, while recording
 };
 
 Result<RowFigures> lookAtRows(const recording::Recording& recording, const recording::Progress& progress) {
   RowFigures figures;
   std::optional<pipeline::TelemetrySample> last;
   double missed_before = 0.0;
+  // No finer than the curves: however many breaks there are, the figure's work is bounded, and it shows each of them.
+  const double least_apart_s = recording.info().duration_s / static_cast<double>(kCurveBuckets);
   const exports::ExportSelection all{.end = recording.info().committed_samples, .progress = progress};
   const auto read = forEachBlock(recording, all, [&](std::span<const pipeline::TelemetrySample> rows) -> Result<void> {
     for (const pipeline::TelemetrySample& row : rows) {
@@ -34,8 +37,11 @@ Result<RowFigures> lookAtRows(const recording::Recording& recording, const recor
       if (last && row.step > last->step + 1) {
         ++figures.breaks;
         figures.lost += row.step - last->step - 1;
-        if (figures.gaps.size() < kGapsDrawn) {
-          figures.gaps.push_back({secondsInto(recording.info(), last->now), secondsInto(recording.info(), row.now)});
+        const ChartSpan gap{secondsInto(recording.info(), last->now), secondsInto(recording.info(), row.now)};
+        if (!figures.gaps.empty() && gap.from_s - figures.gaps.back().to_s < least_apart_s) {
+          figures.gaps.back().to_s = gap.to_s;
+        } else {
+          figures.gaps.push_back(gap);
         }
       }
       last = row;
@@ -137,14 +143,27 @@ ReportTable healthTable(const recording::RecordingInfo& info, const RowFigures& 
   return table;
 }
 
-ReportTable logTable(const std::vector<exports::LogLine>& lines) {
+/// The lines of the log that find a place, in the order of time: the serious ones, then marked and then plain ones, the
+/// first of each.
+std::vector<std::size_t> shownLines(const std::vector<exports::LogLine>& lines) {
+  std::vector<std::size_t> shown(lines.size());
+  std::iota(shown.begin(), shown.end(), std::size_t{0});
+  std::ranges::stable_sort(shown, std::greater{}, [&](std::size_t i) { return lines[i].weight; });
+  const auto serious = std::ranges::count(lines, exports::LogWeight::serious, &exports::LogLine::weight);
+  shown.resize(std::min(shown.size(), std::max(kLogLinesShown, static_cast<std::size_t>(serious))));
+  std::ranges::sort(shown);
+  return shown;
+}
+
+ReportTable logTable(const std::vector<exports::LogLine>& lines, const std::vector<std::size_t>& shown) {
   ReportTable table{.heading = "Events, parameter changes and notes",
                     .columns = {{"No.", 0.4, true}, {"Time, s", 0.75, true}, {"What", 1.3}, {"Text", 4.0}}};
   if (lines.empty()) table.remark = "None.";
-  if (lines.size() > kLogLinesShown) {
-    table.remark = fmt::format("The first {} of {}; an export holds all.", kLogLinesShown, lines.size());
+  if (shown.size() < lines.size()) {
+    table.remark =
+        fmt::format("{} of {}, among them each hold and stop; an export holds all.", shown.size(), lines.size());
   }
-  for (std::size_t i = 0; i < std::min(lines.size(), kLogLinesShown); ++i) {
+  for (const std::size_t i : shown) {
     table.rows.push_back({std::to_string(i + 1), reportNumber(lines[i].time_s, 3), std::string(lines[i].kind),
                           lines[i].text.empty() ? "–" : lines[i].text});
   }
@@ -152,9 +171,9 @@ ReportTable logTable(const std::vector<exports::LogLine>& lines) {
 }
 
 /// Numbered as in the log's table.
-std::vector<ChartMark> marksOf(const std::vector<exports::LogLine>& lines) {
+std::vector<ChartMark> marksOf(const std::vector<exports::LogLine>& lines, const std::vector<std::size_t>& shown) {
   std::vector<ChartMark> marks;
-  for (std::size_t i = 0; i < std::min(lines.size(), kLogLinesShown); ++i) {
+  for (const std::size_t i : shown) {
     if (lines[i].weight == exports::LogWeight::plain) continue;
     marks.push_back({.time_s = lines[i].time_s,
                      .colour = lines[i].weight == exports::LogWeight::serious ? kDangerRgb : kMutedRgb,
@@ -189,9 +208,13 @@ Result<ReportContent> gatherReport(const recording::Recording& recording, const 
   if (auto strips = gatherStrips(recording, content); !strips) return tl::unexpected(strips.error());
   for (const exports::Touch& touch : *touches) content.time.touches.push_back({touch.start_s, touch.end_s});
   content.time.gaps = figures->gaps;
-  content.time.marks = marksOf(*lines);
+  const std::vector<std::size_t> shown = shownLines(*lines);
+  content.time.marks = marksOf(*lines, shown);
+  if (shown.size() < lines->size()) {
+    content.legend += fmt::format(" {} lines of the log are left out, none of them red.", lines->size() - shown.size());
+  }
   content.tables = {touchTable(*touches), healthTable(info, *figures, *link), profileTable(info.header.profile),
-                    logTable(*lines)};
+                    logTable(*lines, shown)};
   return content;
 }
 

@@ -14,6 +14,9 @@
 
 namespace fyd::report {
 
+/// Of each curve: about two for each point of the figure's width.
+inline constexpr std::size_t kCurveBuckets = 900;
+
 struct ReportColumn {
   std::string title;
   double share = 1.0;   ///< of the table's width

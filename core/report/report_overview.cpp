@@ -6,14 +6,11 @@
 namespace fyd::report {
 namespace {
 
-/// About two for each point of the figure's width.
-constexpr std::size_t kBuckets = 900;
-
 Result<ChartCurve> curveOf(const recording::Recording& recording, std::string_view name, Rgb colour, bool dashed) {
   const auto fields = pipeline::telemetryFields();
   const auto field = std::ranges::find(fields, name, &pipeline::TelemetryField::name);
-  auto overview =
-      recording.overview(static_cast<std::size_t>(field - fields.begin()), 0.0, recording.info().duration_s, kBuckets);
+  auto overview = recording.overview(static_cast<std::size_t>(field - fields.begin()), 0.0, recording.info().duration_s,
+                                     kCurveBuckets);
   if (!overview) return tl::unexpected(overview.error());
   return ChartCurve{.values = std::move(*overview), .colour = colour, .dashed = dashed};
 }

@@ -173,6 +173,49 @@ TEST(Report, PdfGoesOnOverPagesForLongNotesAndManyEvents) {
   EXPECT_GT(pages, 10U);
 }
 
+TEST(Report, ALongLogKeepsEveryHoldAndStop) {
+  recording::FakeRecording recording = session();
+  for (int i = 0; i < 1000; ++i) {
+    recording.events_.push_back({instantAt(100.0 + 0.001 * i), {.kind = pipeline::EventKind::parameter_changed}});
+    recording.events_.push_back({instantAt(100.0 + 0.001 * i),
+                                 {.kind = pipeline::EventKind::state_changed, .state = pipeline::SafetyState::active}});
+  }
+  recording.events_.push_back(
+      {instantAt(103.0), {.kind = pipeline::EventKind::state_changed, .state = pipeline::SafetyState::stopped}});
+  const ReportContent content = contentOf(recording);
+  const ReportTable& log = tableOf(content, "Events, parameter changes and notes");
+  ASSERT_EQ(log.rows.size(), 300U);
+  EXPECT_EQ(log.rows.back()[0], "2001");
+  EXPECT_THAT(log.remark, HasSubstr("300 of 2001"));
+  ASSERT_FALSE(content.time.marks.empty());
+  EXPECT_EQ(content.time.marks.back().label, "2001");
+  EXPECT_EQ(content.time.marks.back().colour, kDangerRgb);
+  EXPECT_THAT(content.legend, HasSubstr("1701 lines of the log are left out"));
+
+  for (auto& event : recording.events_) event.event = recording.events_.back().event;  // all of them stops
+  const ReportContent stops = contentOf(recording);
+  EXPECT_EQ(stops.time.marks.size(), 2001U);
+  EXPECT_EQ(tableOf(stops, "Events, parameter changes and notes").rows.size(), 2001U);
+  EXPECT_THAT(stops.legend, Not(HasSubstr("left out")));
+}
+
+TEST(Report, EveryBreakIsInTheFigureHoweverManyThereAre) {
+  const recording::FakeRecording recording(40'000, [](std::uint64_t row) {
+    // Each tenth step is lost for 20 000 rows; then 5 s are, in the middle of whole ones.
+    const std::uint64_t lost = std::min<std::uint64_t>(row, 20'000) / 10 + (row < 30'000 ? 0 : 5000);
+    return recording::FakeRecording::sampleAt(0.001 * static_cast<double>(row + lost), row + 1 + lost);
+  });
+  const ReportContent content = contentOf(recording);
+  ASSERT_GE(content.time.gaps.size(), 2U);
+  EXPECT_LE(content.time.gaps.size(), 1000U);
+  EXPECT_NEAR(content.time.gaps[content.time.gaps.size() - 2].to_s, 22.0, 0.05);
+  EXPECT_NEAR(content.time.gaps.back().from_s, 32.0, 0.05);
+  EXPECT_NEAR(content.time.gaps.back().to_s, 37.0, 0.05);
+  std::string all;
+  for (const auto& row : tableOf(content, "Health").rows) all += row[0] + "=" + row[1] + ";";
+  EXPECT_THAT(all, HasSubstr("Samples lost=7000 (breaks: 2001);"));
+}
+
 TEST(Report, TheFileAppearsWholeAndIsNotReplacedUnasked) {
   std::string folder = (std::filesystem::temp_directory_path() / "fyd-report-XXXXXX").string();
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);
