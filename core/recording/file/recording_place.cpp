@@ -42,6 +42,15 @@ std::string folderOf(const std::string& path) {
   return folder.empty() ? "." : folder.string();
 }
 
+/// The notes of a recording of this name, whatever the name is: those of earlier versions where only they are there.
+std::string notesBeside(const std::string& recording_path) {
+  const std::string whole = wholeOf(recording_path);
+  const std::string path = whole + kNotesEnding, former = partialOf(whole) + kNotesEnding;
+  std::error_code problem;
+  const bool only_former = !std::filesystem::exists(path, problem) && std::filesystem::exists(former, problem);
+  return only_former ? former : path;
+}
+
 Message reasonOf(int error) { return systemReason(error); }
 
 struct flock lockRange(short type) {
@@ -69,11 +78,15 @@ std::string existingName(const std::string& path) {
 }
 
 std::string reviewNotesPath(const std::string& recording_path) {
-  const std::string whole = wholeOf(recording_path);
-  const std::string path = whole + kNotesEnding, former = partialOf(whole) + kNotesEnding;
+  std::string named = notesBeside(recording_path);
+  const std::string file = existingName(recording_path);
   std::error_code problem;
-  const bool only_former = !std::filesystem::exists(path, problem) && std::filesystem::exists(former, problem);
-  return only_former ? former : path;
+  if (!std::filesystem::is_symlink(file, problem)) return named;
+  const std::filesystem::path target = std::filesystem::canonical(file, problem);
+  if (problem) return named;
+  std::string theirs = notesBeside(target);
+  const bool only_named = !std::filesystem::exists(theirs, problem) && std::filesystem::exists(named, problem);
+  return only_named ? named : theirs;
 }
 
 Result<void> checkPlace(const std::string& path) {

@@ -12,9 +12,9 @@ namespace fyd::recording {
 [[nodiscard]] std::string wholeOf(std::string path);
 /// `path`, or the unfinished file beside it when only that is there.
 [[nodiscard]] std::string existingName(const std::string& path);
-/// Where the notes of a recording stand, or would stand: beside it, in FILE.notes.json; those of FILE.partial too, so that
-/// they stay with it when it is recovered. Earlier versions wrote FILE.partial.notes.json: that is it where only that is
-/// there.
+/// Where the notes of a recording stand, or would stand: beside it, in FILE.notes.json; those of FILE.partial too, so
+/// that they stay with it when it is recovered. Of a link they are those of the file that it leads to. Earlier versions
+/// wrote FILE.partial.notes.json, and LINK.notes.json: that is it where only that is there.
 [[nodiscard]] std::string reviewNotesPath(const std::string& recording_path);
 
 /// @return an error when a recording cannot begin there: no folder, not writable, a network share, a name taken, or notes

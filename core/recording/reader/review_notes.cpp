@@ -71,10 +71,10 @@ std::vector<std::string> tagsInForce(const RecordingInfo& info) {
 
 Result<void> writeReviewNotes(const std::string& recording_path, const std::string& id, ReviewNotes review) {
   std::ranges::stable_sort(review.notes, {}, &ReviewNote::time_s);
-  const std::string recording = wholeOf(recording_path);
-  nlohmann::ordered_json out{{"recording", recording.substr(recording.find_last_of('/') + 1)},
-                             {kIdKey, id},
-                             {"notes", nlohmann::ordered_json::array()}};
+  const std::string path = reviewNotesPath(recording_path);
+  const std::string recording = std::filesystem::path(path).stem().stem().string();  // without .notes.json
+  nlohmann::ordered_json out{
+      {"recording", wholeOf(recording)}, {kIdKey, id}, {"notes", nlohmann::ordered_json::array()}};
   if (review.tags) out["tags"] = *review.tags;
   for (const ReviewNote& note : review.notes) {
     const auto kind = std::ranges::find(kKinds, note.kind, &std::pair<NoteKind, const char*>::first);
@@ -82,7 +82,7 @@ Result<void> writeReviewNotes(const std::string& recording_path, const std::stri
     out["notes"].push_back(
         {{"time_s", note.time_s}, {"kind", kind->second}, {"text", note.text}, {"written_utc", note.written_utc}});
   }
-  auto file = ExportFile::create(reviewNotesPath(recording_path), true);
+  auto file = ExportFile::create(path, true);
   if (!file) return tl::unexpected(file.error());
   // Invalid UTF-8 is replaced, not refused, so that no note is lost because of one byte.
   const std::string text = out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

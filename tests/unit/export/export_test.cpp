@@ -12,6 +12,7 @@
 #include "core/base/csv.h"
 #include "core/export/export_csv_text.h"
 #include "core/export/export_words.h"
+#include "core/recording/reader/review_notes.h"
 #include "tests/files_of_at_most.h"
 #include "tests/unit/recording/fake_recording.h"
 #include "tests/unit/recording/recording_samples.h"
@@ -199,6 +200,20 @@ TEST_F(Export, ADamagedRecordingOrAFullDiskLeavesNothing) {
   EXPECT_THAT(messages, testing::Each(testing::AllOf(HasSubstr("writ"), HasSubstr("/a."))))
       << testing::PrintToString(messages);
   EXPECT_EQ(left, 0U);
+}
+
+TEST_F(Export, ReviewNotesComeAlsoByALink) {
+  recording::FakeRecording recording = session();
+  std::ofstream(path("r.h5")) << "a recording";
+  fs::create_symlink("r.h5", path("link.h5"));
+  ASSERT_TRUE(recording::writeReviewNotes(
+      path("r.h5"), recording.info_.header.id,
+      {.notes = {{.time_s = 0.5, .text = "seen later"}}, .tags = std::vector<std::string>{"good"}}));
+  recording.info_.path = path("link.h5");
+  const auto lines = logLines(recording, 0.0);
+  ASSERT_TRUE(lines) << lines.error().text();
+  EXPECT_EQ(std::ranges::count(*lines, "seen later", &LogLine::text), 1);
+  EXPECT_THAT(recording::tagsInForce(recording.info()), testing::ElementsAre("good"));
 }
 
 TEST_F(Export, AMatFileCutAnywhereIsNoFile) {

@@ -1,4 +1,5 @@
 // The names of a recording's files: while it grows, when it is whole, and its notes beside it.
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -29,6 +30,28 @@ TEST(RecordingNames, NotesStayWithARecordingThatGetsItsName) {
   samples::write(notes, "{}");
   for (const std::string& recording : {folder.file("a.h5"), folder.file("a.h5.partial")})
     EXPECT_EQ(reviewNotesPath(recording), notes) << "before an earlier version's";
+}
+
+TEST(RecordingNames, NotesOfALinkAreThoseOfItsFile) {
+  const Folder folder;
+  const std::filesystem::path root = std::filesystem::canonical(folder.file("."));
+  const std::string notes = root / "b.h5.notes.json";
+  const std::string beside = folder.file("a.h5.notes.json");
+  samples::write(folder.file("b.h5"), "x");
+  std::filesystem::create_symlink("b.h5", folder.file("a.h5"));
+  EXPECT_EQ(reviewNotesPath(folder.file("a.h5")), notes);
+  samples::write(beside, "{}");
+  EXPECT_EQ(reviewNotesPath(folder.file("a.h5")), beside) << "an earlier version's, alone";
+  samples::write(notes, "{}");
+  EXPECT_EQ(reviewNotesPath(folder.file("a.h5")), notes);
+  EXPECT_EQ(reviewNotesPath(folder.file("b.h5")), folder.file("b.h5.notes.json")) << "a plain name stays as it is";
+
+  std::filesystem::rename(folder.file("b.h5"), folder.file("b.h5.partial"));
+  std::filesystem::remove(folder.file("a.h5"));
+  std::filesystem::create_symlink("b.h5.partial", folder.file("c.h5.partial"));
+  EXPECT_EQ(reviewNotesPath(folder.file("c.h5")), notes) << "of one that grows";
+  std::filesystem::create_symlink("nothing", folder.file("d.h5"));
+  EXPECT_EQ(reviewNotesPath(folder.file("d.h5")), folder.file("d.h5.notes.json"));
 }
 
 }  // namespace
