@@ -70,6 +70,37 @@ class Catalogue(fyd.Case):
         self.assertEqual(sorted(os.listdir(self.data)), ["a.h5", "b.h5"])
         self.assertFalse(os.path.exists(self.file))
 
+    def test_a_folders_list_says_what_it_leaves_out(self):
+        copy = os.path.join(self.data, "z.h5")
+        shutil.copy2(self.a, copy)
+        listed = self.json("session", "list", self.data, "--json")
+        self.assertEqual((listed["found"], listed["copies"]), (2, [os.path.realpath(copy)]))
+        rubbish = os.path.join(self.data, "rubbish.h5")
+        with open(rubbish, "wb") as file:
+            file.write(b"x" * 1000)
+        for command in ("list", "add"):
+            with self.subTest(command=command):
+                done = fyd.run("session", command, self.data, *(self.word if command == "add" else ()))
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("copy, left out: " + os.path.realpath(copy), done.stdout)
+                self.assertIn("not read: ", done.stdout)
+                self.assertIn("rubbish.h5", done.stderr)
+        done = fyd.run("session", "list", self.data, "--json")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("rubbish.h5", done.stdout)
+
+    def test_a_link_to_a_recording_is_read_with_its_reviews_tags(self):
+        folder = self.path("links")
+        os.mkdir(folder)
+        link = os.path.join(folder, "link.h5")
+        os.symlink(self.a, link)
+        with open(self.a + ".notes.json", "w", encoding="utf-8") as file:
+            file.write('{"notes": [{"time_s": 0.5, "kind": "note", "text": "seen later"}], "tags": ["reviewed"]}')
+        self.json("session", "add", link, *self.word, "--json")
+        entry = self.list()["sessions"][0]
+        self.assertEqual((entry["path"], entry["tags"]), (os.path.realpath(self.a), ["reviewed"]))
+        self.assertIn("seen later", entry["notes"])
+
     def test_notes_and_tags_stay_when_the_file_is_read_again(self):
         self.json("session", "add", self.a, *self.word, "--json")
         id_ = self.ids()[0]

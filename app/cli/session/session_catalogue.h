@@ -24,6 +24,8 @@ enum class AbsentCatalogue { made, refused };
 void failUnread(const catalogue::ScanReport& report);
 /// One line, and one for each copy and unreadable file.
 void printScan(const catalogue::ScanReport& report);
+/// Only those of the copies and unreadable files.
+void printLeftOut(const catalogue::ScanReport& report);
 /// An aligned table; control characters are shown as '?', so that a note cannot steer the terminal.
 void printEntries(const std::vector<catalogue::CatalogueEntry>& entries);
 

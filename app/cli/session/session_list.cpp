@@ -83,19 +83,21 @@ void runSessionList(const SessionListOptions& options) {
   filter.descending = !options.ascending;
   const auto found = valueOrFail(catalogue.search(filter));
   const std::size_t all = valueOrFail(catalogue.count(filter));
-  for (const Message& problem : scan.unreadable) std::cerr << forTerminal(fmt::format("fyd: {}\n", problem));
   if (options.json) {
     nlohmann::ordered_json sessions = nlohmann::ordered_json::array();
     for (const catalogue::CatalogueEntry& entry : found) sessions.push_back(toJson(entry));
     printJson({{"catalogue", options.folder.empty() ? catalogue.name() : options.folder},
                {"found", all},
                {"changes", changes},
+               {"copies", scan.copies},
                {"unreadable", scan.unreadable},
                {"sessions", sessions}});
-    return;
+  } else {
+    printEntries(found);
+    std::cout << fmt::format("{} of {} sessions\n", found.size(), all);
+    printLeftOut(scan);
   }
-  printEntries(found);
-  std::cout << fmt::format("{} of {} sessions\n", found.size(), all);
+  failUnread(scan);
 }
 
 }  // namespace

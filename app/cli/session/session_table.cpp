@@ -67,6 +67,10 @@ nlohmann::ordered_json toJson(const catalogue::ScanReport& report) {
 
 void printScan(const catalogue::ScanReport& report) {
   std::cout << fmt::format("{} added, {} known already\n", report.added, report.known);
+  printLeftOut(report);
+}
+
+void printLeftOut(const catalogue::ScanReport& report) {
   for (const std::string& path : report.copies) std::cout << forTerminal(fmt::format("copy, left out: {}\n", path));
   for (const Message& problem : report.unreadable) std::cout << forTerminal(fmt::format("not read: {}\n", problem));
 }
