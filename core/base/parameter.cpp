@@ -1,6 +1,7 @@
 #include "core/base/parameter.h"
 
 #include <algorithm>
+#include <boost/locale/utf.hpp>
 #include <charconv>
 #include <cmath>
 
@@ -20,6 +21,14 @@ Result<double> parseNumber(const Parameter& parameter, std::string_view text) {
     return fail("{}: '{}' is not a number; expected {}", parameter.id, text, describeRange(parameter));
   }
   return value;
+}
+
+bool isUtf8(std::string_view text) {
+  using Utf = boost::locale::utf::utf_traits<char>;
+  for (auto at = text.begin(); at != text.end();) {
+    if (!boost::locale::utf::is_valid_codepoint(Utf::decode(at, text.end()))) return false;
+  }
+  return true;
 }
 
 template <class T>
@@ -104,6 +113,7 @@ bool insideRange(const Parameter& parameter) {
 Result<std::string> checkText(const Parameter& parameter, std::string_view text) {
   const bool one_line =
       std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  if (!isUtf8(text)) return fail("{}: not UTF-8", parameter.id);  // TOML would hold another text
   if (one_line && text.size() <= kParameterTextLimit) return std::string(text);
   if (one_line) return fail("{}: {} bytes; expected {}", parameter.id, text.size(), describeRange(parameter));
   return fail("{}: {} bytes with control characters; expected {}", parameter.id, text.size(), describeRange(parameter));

@@ -121,7 +121,7 @@ template <class Parameters>
 /// Whether its present value may be stored.
 [[nodiscard]] FYD_API bool insideRange(const Parameter& parameter);
 
-/// Whether `text` may be stored: one line of at most kParameterTextLimit bytes. The message names the id.
+/// Whether `text` may be stored: one line of at most kParameterTextLimit bytes, in UTF-8. The message names the id.
 [[nodiscard]] FYD_API Result<std::string> checkText(const Parameter& parameter, std::string_view text);
 
 /// Reads one value as a person writes it ("12.5", "true", "dft321", "[1, 2]"), checks it and stores it.

@@ -104,8 +104,14 @@ TEST(Parameter, ATextIsOneLineAndNeverANumber) {
   EXPECT_EQ(sample.where, "");
   EXPECT_FALSE(assignParameter(where, "two\nlines"));
   EXPECT_FALSE(assignParameter(where, std::string(kParameterTextLimit + 1, 'x')));
+  for (const char* no_utf8 : {"/tmp/k\xffy", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80"}) {
+    const auto refused = assignParameter(where, no_utf8);
+    ASSERT_FALSE(refused) << no_utf8;
+    EXPECT_EQ(refused.error().text(), "other.where: not UTF-8");
+  }
   EXPECT_FALSE(checkParameter(where, 1.0));
   EXPECT_EQ(sample.where, "");
+  EXPECT_TRUE(assignParameter(where, "/tmp/é–\U0001F9F5"));
   EXPECT_NE(problem("[other]\nwhere = 5").find("p.toml:2: other.where: expected a line"), std::string::npos);
   EXPECT_NE(problem("[other]\nwhere = \"a\\nb\"").find("control characters"), std::string::npos);
 }
