@@ -1,7 +1,7 @@
 #include "core/export/export_selection.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace fyd::exports {
 namespace {
@@ -49,7 +49,7 @@ Result<ExportSelection> selectRows(const recording::Recording& recording, const 
   constexpr double kNanosecond_s = 1e-9;
   const auto end = recording.rowAt(options.to_s + kNanosecond_s);
   if (!end) return tl::unexpected(end.error());
-  selection.end = std::isinf(options.to_s) ? recording.info().committed_samples : *end;
+  selection.end = options.to_s == std::numeric_limits<double>::infinity() ? recording.info().committed_samples : *end;
   selection.first = std::min(*first, selection.end);
   const recording::RecordingInfo& info = recording.info();
   if (info.unproven_rows > 0 && selection.end == info.committed_samples) {

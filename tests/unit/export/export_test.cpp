@@ -155,7 +155,9 @@ TEST_F(Export, WrongWishesAreRefusedByNameAndLeaveNoFile) {
   EXPECT_THAT(refused("a.csv", {.from_s = 2.0, .to_s = 1.0}), HasSubstr("2 s to 1 s"));
   EXPECT_THAT(refused("a.csv", {.from_s = pipeline::kNone}), HasSubstr("nan"));
   for (const char* name : {"a.csv", "a.mat", "a.mcap"})
-    EXPECT_THAT(refused(name, {.from_s = 100.0}), HasSubstr("no samples"));
+    for (const ExportOptions& outside :
+         {ExportOptions{.from_s = 100.0}, {.to_s = -1.0}, {.to_s = -std::numeric_limits<double>::infinity()}})
+      EXPECT_THAT(refused(name, outside), HasSubstr("no samples"));
   EXPECT_THAT(refused("a.mkv", {}), HasSubstr("no picture"));
   EXPECT_THAT(refused("nowhere/a.csv", {}), HasSubstr("nowhere/a.csv"));
 }
