@@ -66,9 +66,17 @@ std::string oneLine(const std::exception& error) {
   return out;
 }
 
-/// Whether a file that SQLite cannot read was a catalogue: the first page tells the tables' names in plain text, also
-/// when its beginning is damaged.
+/// Whether a damaged file is, or was, a catalogue: by its list of tables where that can still be read; else the first
+/// page tells the tables' names in plain text, also when its beginning is damaged.
 bool wasCatalogue(const std::string& path) {
+  try {
+    soci::session sqlite(soci::sqlite3, sqliteOptions(path));
+    if (isOfAnother(sqlite)) return false;
+    long long ours = 0;
+    sqlite << "SELECT count(*) FROM sqlite_master WHERE name = 'catalogue_version'", soci::into(ours);
+    if (ours > 0) return true;
+  } catch (const std::exception&) {  // the list is damaged, too
+  }
   constexpr std::size_t kLargestPage = 65'536;
   std::string page(kLargestPage, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -145,7 +153,7 @@ Error CatalogueDatabase::explained(const std::exception& error) {
                 "away, then `fyd session list --rebuild FOLDER` for each catalogue reads the recordings again",
                 path, verbatim(what))};
       }
-      if (sqliteCode(error) == SQLITE_NOTADB && !wasCatalogue(path)) return noCatalogue(path).value();
+      if (!wasCatalogue(path)) return noCatalogue(path).value();
       return {
           say("{}: the catalogue is damaged ({}); the recordings are not touched by that. `fyd session list "
               "--rebuild FOLDER{}` moves the file aside and reads the recordings again",
@@ -190,13 +198,13 @@ Result<bool> isDamaged(const std::string& path) {
     std::string answer;
     session << "PRAGMA busy_timeout = " << kBusy_ms, soci::into(answer);
     session << "PRAGMA quick_check(1)", soci::into(answer);
-    return answer != "ok";
+    if (answer == "ok") return false;
   } catch (const std::exception& problem) {
     const int code = sqliteCode(problem);
-    if (code == SQLITE_NOTADB && !wasCatalogue(path)) return noCatalogue(path);
-    if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) return true;
-    return fail(about(path, verbatim(oneLine(problem))));
+    if (code != SQLITE_CORRUPT && code != SQLITE_NOTADB) return fail(about(path, verbatim(oneLine(problem))));
   }
+  if (!wasCatalogue(path)) return noCatalogue(path);  // another program's is not ours to move, damaged or not
+  return true;
 }
 
 void BoundStatement::bind(const std::string& name, std::string value) {

@@ -163,6 +163,31 @@ TEST_F(SqliteCatalogue, WhatADamagedOneStillSaysIsTakenOver) {
   EXPECT_EQ(Catalogue::open(word())->get("id-0000")->notes, "written here");
 }
 
+TEST_F(SqliteCatalogue, AnotherProgramsDamagedDatabaseStaysWhereItIs) {
+  const std::string file = path("sessions.sqlite");
+  {
+    soci::session sql(soci::sqlite3, "dbname=" + file);
+    sql << "CREATE TABLE letters (text TEXT)";
+    const std::string letter(3000, 'a');
+    for (int i = 0; i < 20; ++i) sql << "INSERT INTO letters VALUES (:text)", soci::use(letter);
+  }
+  // Its first page, which lists its tables, is whole: of the others, once the last and once all are damaged.
+  const std::string whole = readText(file);
+  ASSERT_GT(whole.size(), 16'384U);
+  for (const std::size_t from : {whole.size() - 4096, std::size_t{4096}}) {
+    std::string bytes = whole;
+    std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end(), '\xA5');
+    writeText(file, bytes);
+    const auto opened = Catalogue::open(word());
+    ASSERT_FALSE(opened) << from;
+    EXPECT_THAT(opened.error().text(), testing::Not(HasSubstr("--rebuild"))) << from;
+    const auto rebuilt = rebuildCatalogue(word(), {}, readMadeUp);
+    ASSERT_FALSE(rebuilt) << from;
+    EXPECT_THAT(rebuilt.error().text(), HasSubstr("is no catalogue")) << from;
+    EXPECT_EQ(readText(file), bytes) << from;
+  }
+}
+
 TEST_F(SqliteCatalogue, RebuildingAHealthyOneKeepsIt) {
   ASSERT_TRUE(Catalogue::open(word())->add(entryOf("aaaa")));
   const auto rebuilt = rebuildCatalogue(word(), {}, readMadeUp);
