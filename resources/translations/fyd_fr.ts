@@ -10392,6 +10392,10 @@ Pour commencer : %1</translation>
         <translation>{} ; et l'entrée ne peut pas attendre non plus : {}. L'enregistrement est en sûreté ; l'ajouter plus tard par `fyd session add {}`</translation>
     </message>
     <message>
+        <source>{}; the damaged catalogue is {} now</source>
+        <translation>{} ; le catalogue endommagé est maintenant {}</translation>
+    </message>
+    <message>
         <source>{}; the entry waits in {} and goes in when the catalogue is next opened</source>
         <translation>{} ; l'entrée attend dans {} et y entrera à la prochaine ouverture du catalogue</translation>
     </message>

@@ -10392,6 +10392,10 @@ Per cominciare: %1</translation>
         <translation>{}; e neppure la voce può attendere: {}. La registrazione è al sicuro; inserirla più tardi con `fyd session add {}`</translation>
     </message>
     <message>
+        <source>{}; the damaged catalogue is {} now</source>
+        <translation>{}; il catalogo danneggiato ora è {}</translation>
+    </message>
+    <message>
         <source>{}; the entry waits in {} and goes in when the catalogue is next opened</source>
         <translation>{}; la voce attende in {} ed entra alla prossima apertura del catalogo</translation>
     </message>

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <fstream>
@@ -44,6 +45,20 @@ class SqliteCatalogue : public CatalogueFolder {
     close(ready[0]);
     close(ready[1]);
     return child;
+  }
+  /// A catalogue whose last pages are damaged, while its first entry, with notes, can be read.
+  void makeDamaged() const {
+    {
+      auto catalogue = Catalogue::open(word());
+      std::vector<CatalogueEntry> many;
+      many.reserve(300);
+      for (int i = 0; i < 300; ++i) many.push_back(entryOf(fmt::format("id-{:04}", i)));
+      ASSERT_TRUE(catalogue->add(many));
+      ASSERT_TRUE(catalogue->setNotes("id-0000", "written here"));
+    }
+    std::string bytes = readText(path("sessions.sqlite"));
+    std::fill(bytes.end() - 8192, bytes.end(), '\xA5');
+    writeText(path("sessions.sqlite"), bytes);
   }
   static void end(pid_t child) {
     kill(child, SIGKILL);
@@ -145,22 +160,43 @@ TEST_F(SqliteCatalogue, ADamagedOneIsPutAsideAndBuiltAgain) {
 }
 
 TEST_F(SqliteCatalogue, WhatADamagedOneStillSaysIsTakenOver) {
-  {
-    auto catalogue = Catalogue::open(word());
-    std::vector<CatalogueEntry> many;
-    many.reserve(300);
-    for (int i = 0; i < 300; ++i) many.push_back(entryOf(fmt::format("id-{:04}", i)));
-    ASSERT_TRUE(catalogue->add(many));
-    ASSERT_TRUE(catalogue->setNotes("id-0000", "written here"));
-  }
-  std::string bytes = readText(path("sessions.sqlite"));
-  std::fill(bytes.end() - 8192, bytes.end(), '\xA5');
-  writeText(path("sessions.sqlite"), bytes);
+  makeDamaged();
   ASSERT_FALSE(Catalogue::open(word()));
   const auto rebuilt = rebuildCatalogue(word(), {}, readMadeUp);
   ASSERT_TRUE(rebuilt) << rebuilt.error().text();
   EXPECT_GT(rebuilt->rescued, 100U);
   EXPECT_EQ(Catalogue::open(word())->get("id-0000")->notes, "written here");
+}
+
+TEST_F(SqliteCatalogue, WhatWaitsForADamagedOneKeepsTheNotesThatWereTakenOver) {
+  makeDamaged();
+  CatalogueEntry newer = entryOf("id-0000");
+  newer.samples = 777;
+  EXPECT_THAT(deliverEntry(word(), newer).error().text(), HasSubstr("waits"));
+  const auto rebuilt = rebuildCatalogue(word(), {}, readMadeUp);
+  ASSERT_TRUE(rebuilt) << rebuilt.error().text();
+  const auto entry = Catalogue::open(word())->get("id-0000");
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(entry->notes, "written here");
+  EXPECT_EQ(entry->samples, 777U) << "what waited is newer than what was taken over";
+}
+
+TEST_F(SqliteCatalogue, ARebuildThatCannotWriteLeavesTheDamagedOneForTheNext) {
+  makeDamaged();
+  const std::string bytes = readText(path("sessions.sqlite"));
+  EXPECT_TRUE(succeeded(inProcess([&] {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{65'536, 65'536};  // room for the tables, not for the entries
+    setrlimit(RLIMIT_FSIZE, &limit);
+    return !rebuildCatalogue(word(), {}, readMadeUp);
+  })));
+  EXPECT_EQ(readText(path("sessions.sqlite")), bytes) << "in its place, as it was";
+  const auto rebuilt = rebuildCatalogue(word(), {}, readMadeUp);
+  ASSERT_TRUE(rebuilt) << rebuilt.error().text();
+  EXPECT_EQ(Catalogue::open(word())->get("id-0000")->notes, "written here");
+  for (const auto& item : fs::directory_iterator(folder_)) {
+    EXPECT_THAT(item.path().filename().string(), testing::Not(HasSubstr(".new"))) << "no rest is left";
+  }
 }
 
 TEST_F(SqliteCatalogue, AnotherProgramsDamagedDatabaseStaysWhereItIs) {
