@@ -19,7 +19,12 @@ Result<Catalogue> Catalogue::open(const std::string& word) {
   auto database = CatalogueDatabase::open(*parsed, catalogueSchema());
   if (!database) return tl::unexpected(database.error());
   Catalogue out(std::move(*database));
-  out.pending_ = deliverPending(parsed->key, [&out](const CatalogueEntry& entry) { return out.add(entry); });
+  out.pending_ = deliverPending(parsed->key, [&out](const CatalogueEntry& entry) -> Delivery {
+    if (auto good = checkEntry(entry); !good) return {Delivered::refused, good.error().message};
+    const auto added = out.add(entry);
+    if (added) return {};
+    return {out.database_->refusedValues() ? Delivered::refused : Delivered::unreachable, added.error().message};
+  });
   return out;
 }
 

@@ -66,6 +66,17 @@ std::string oneLine(const std::exception& error) {
   return out;
 }
 
+/// Whether the database refused what one statement carries, by PostgreSQL's classes of errors: data, integrity, limits
+/// of the program.
+bool isAboutValues(const std::exception& error) {
+  if (const auto* postgresql = dynamic_cast<const soci::postgresql_soci_error*>(&error)) {
+    const std::string kind = postgresql->sqlstate().substr(0, 2);
+    return kind == "22" || kind == "23" || kind == "54";
+  }
+  const int code = sqliteCode(error);
+  return code == SQLITE_CONSTRAINT || code == SQLITE_TOOBIG || code == SQLITE_MISMATCH;
+}
+
 /// Whether a damaged file is, or was, a catalogue: by its list of tables where that can still be read; else the first
 /// page tells the tables' names in plain text, also when its beginning is damaged.
 bool wasCatalogue(const std::string& path) {
@@ -133,6 +144,7 @@ void CatalogueDatabase::connect() {
 
 Error CatalogueDatabase::explained(const std::exception& error) {
   const std::string what = oneLine(error);
+  refused_values_ = isAboutValues(error);
   if (word_.kind == CatalogueAddress::Kind::postgresql) {
     lost_ = true;  // connect again, as the old connection may be dead
     return {about(word_.name, verbatim(what))};

@@ -43,6 +43,8 @@ class CatalogueDatabase {
   }
 
   [[nodiscard]] const CatalogueAddress& word() const { return word_; }
+  /// Whether the last error was about the values of one statement: others may go in, as the database answers.
+  [[nodiscard]] bool refusedValues() const { return refused_values_; }
 
  private:
   explicit CatalogueDatabase(CatalogueAddress word) : word_(std::move(word)) {}
@@ -81,6 +83,7 @@ class CatalogueDatabase {
   CatalogueAddress word_;
   soci::session session_;
   bool lost_ = true;  ///< connect before the next transaction
+  bool refused_values_ = false;
 };
 
 /// Whether the SQLite file at `path` is damaged; an error when that cannot be found out (locked, not readable), or when

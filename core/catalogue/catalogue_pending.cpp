@@ -74,8 +74,7 @@ Result<void> queueEntry(const std::string& key, const CatalogueEntry& entry, con
   });
 }
 
-PendingReport deliverPending(const std::string& key,
-                             const std::function<Result<void>(const CatalogueEntry&)>& deliver) {
+PendingReport deliverPending(const std::string& key, const std::function<Delivery(const CatalogueEntry&)>& deliver) {
   PendingReport report;
   std::error_code error;
   if (!std::filesystem::exists(pendingPath(), error)) return report;
@@ -90,15 +89,17 @@ PendingReport deliverPending(const std::string& key,
       report.problem = say("{}: the entry {} is damaged: {}", pendingPath(), row.id, entry.error().message);
       continue;
     }
-    const auto delivered = deliver(*entry).and_then([&] {
-      return (*queue)->write([&](soci::session& sql) -> Result<void> {
-        sql << "DELETE FROM pending WHERE catalogue = :key AND id = :id AND queued_ms = :queued", soci::use(key, "key"),
-            soci::use(row.id, "id"), soci::use(row.queued_ms, "queued");
-        return {};
-      });
+    const Delivery delivery = deliver(*entry);
+    if (delivery.delivered != Delivered::yes) report.problem = delivery.problem;
+    if (delivery.delivered == Delivered::unreachable) break;
+    if (delivery.delivered == Delivered::refused) continue;
+    const auto removed = (*queue)->write([&](soci::session& sql) -> Result<void> {
+      sql << "DELETE FROM pending WHERE catalogue = :key AND id = :id AND queued_ms = :queued", soci::use(key, "key"),
+          soci::use(row.id, "id"), soci::use(row.queued_ms, "queued");
+      return {};
     });
-    if (!delivered) {  // stop: each further one would run into the same time-out
-      report.problem = delivered.error().message;
+    if (!removed) {  // the queue is locked, full or damaged: the same for the next
+      report.problem = removed.error().message;
       break;
     }
     ++report.delivered;

@@ -3,6 +3,7 @@
 // twice has no effect.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -21,8 +22,18 @@ struct PendingReport {
 /// @param key CatalogueAddress::key
 [[nodiscard]] Result<void> queueEntry(const std::string& key, const CatalogueEntry& entry, const std::string& reason);
 
-/// Hands the waiting entries to `deliver`, oldest first; stops at the first that fails.
+enum class Delivered : std::uint8_t {
+  yes,
+  refused,     ///< this entry cannot go in, the next may
+  unreachable  ///< nor can the next
+};
+struct Delivery {
+  Delivered delivered = Delivered::yes;
+  Message problem;
+};
+/// Hands the waiting entries to `deliver`, oldest first; stops when the catalogue cannot be reached, as each further
+/// one would run into the same time-out.
 [[nodiscard]] PendingReport deliverPending(const std::string& key,
-                                           const std::function<Result<void>(const CatalogueEntry&)>& deliver);
+                                           const std::function<Delivery(const CatalogueEntry&)>& deliver);
 
 }  // namespace fyd::catalogue

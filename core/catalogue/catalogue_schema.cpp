@@ -65,6 +65,14 @@ Result<void> CatalogueDatabase::prepareSchema(SchemaSteps schema) {
     if (*now >= newest) return {};
     if (is_sqlite && isOfAnother(sql))
       return fail("{}: is another program's database; expected a catalogue, or a new file", word_.name);
+    if (*now == 0 && !is_sqlite) {
+      // Others cannot hold every text. One that was made in such a database by an earlier version goes on.
+      std::string encoding;
+      sql << "SHOW server_encoding", soci::into(encoding);
+      if (encoding != "UTF8") {
+        return fail("{}: its server_encoding is {}; make the database with ENCODING 'UTF8'", word_.name, encoding);
+      }
+    }
     if (*now == 0) sql << "CREATE TABLE catalogue_version (version BIGINT NOT NULL)";
     for (long long step = *now; step < newest; ++step) {
       for (const char* statement : schema[static_cast<std::size_t>(step)]) sql << statement;

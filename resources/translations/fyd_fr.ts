@@ -9684,6 +9684,10 @@ Pour commencer : %1</translation>
         <translation>{} : son maillage ne peut pas être parcouru ; attendu un pour un corps rigide</translation>
     </message>
     <message>
+        <source>{}: its server_encoding is {}; make the database with ENCODING 'UTF8'</source>
+        <translation>{} : son server_encoding est {} ; créer la base de données avec ENCODING 'UTF8'</translation>
+    </message>
+    <message>
         <source>{}: its values lie in other datasets; a recording holds its own</source>
         <translation>{} : ses valeurs sont dans d'autres jeux de données ; un enregistrement contient les siennes</translation>
     </message>

@@ -9684,6 +9684,10 @@ Per cominciare: %1</translation>
         <translation>{}: la sua mesh non si può percorrere; attesa una per un corpo rigido</translation>
     </message>
     <message>
+        <source>{}: its server_encoding is {}; make the database with ENCODING 'UTF8'</source>
+        <translation>{}: il suo server_encoding è {}; creare il database con ENCODING 'UTF8'</translation>
+    </message>
+    <message>
         <source>{}: its values lie in other datasets; a recording holds its own</source>
         <translation>{}: i suoi valori stanno in altri dataset; una registrazione contiene i propri</translation>
     </message>

@@ -113,6 +113,29 @@ TEST_F(SqliteCatalogue, WaitingEntriesGoOnlyToTheirOwnCatalogue) {
   EXPECT_TRUE(Catalogue::open(path("other.sqlite"))->get("there"));
 }
 
+TEST_F(SqliteCatalogue, AnEntryThatCannotGoInDoesNotHoldTheOthersBack) {
+  CatalogueEntry bad = entryOf("bad");
+  bad.subject = "\x01";
+  ASSERT_TRUE(queueEntry(path("sessions.sqlite"), bad, "away"));
+  ASSERT_TRUE(queueEntry(path("sessions.sqlite"), entryOf("good"), "away"));
+  auto catalogue = Catalogue::open(word());
+  EXPECT_EQ(catalogue->pending().delivered, 1U);
+  EXPECT_EQ(catalogue->pending().waiting, 1U);
+  EXPECT_THAT(catalogue->pending().problem.text(), HasSubstr("subject"));
+  EXPECT_TRUE(catalogue->get("good"));
+}
+
+TEST_F(SqliteCatalogue, WhatTheDatabaseRefusesOfOneEntryDoesNotHoldTheOthersBack) {
+  ASSERT_TRUE(Catalogue::open(word()));
+  soci::session(soci::sqlite3, "dbname=" + path("sessions.sqlite"))
+      << "CREATE TRIGGER no BEFORE INSERT ON sessions WHEN NEW.id = 'bad' BEGIN SELECT RAISE(ABORT, 'no'); END";
+  for (const char* id : {"bad", "good"}) ASSERT_TRUE(queueEntry(path("sessions.sqlite"), entryOf(id), "away"));
+  auto catalogue = Catalogue::open(word());
+  ASSERT_TRUE(catalogue) << catalogue.error().text();
+  EXPECT_EQ(catalogue->pending().waiting, 1U);
+  EXPECT_TRUE(catalogue->get("good"));
+}
+
 TEST_F(SqliteCatalogue, ANewerOneIsRefused) {
   ASSERT_TRUE(Catalogue::open(word()));
   soci::session(soci::sqlite3, "dbname=" + path("sessions.sqlite")) << "UPDATE catalogue_version SET version = 99";
