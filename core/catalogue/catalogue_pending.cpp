@@ -1,18 +1,38 @@
 #include "core/catalogue/catalogue_pending.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "core/catalogue/catalogue_address.h"
 #include "core/catalogue/catalogue_database.h"
 
+namespace fyd::recording {
+
+// In the namespace of the enum, or nlohmann's library does not find them and takes its number.
+static void to_json(nlohmann::json& json, const Wholeness& wholeness) { json = catalogue::toString(wholeness); }
+
+static void from_json(const nlohmann::json& json, Wholeness& wholeness) {
+  // Queues of earlier versions hold the number that the word had then: its place here.
+  constexpr std::array kWords = {Wholeness::whole, Wholeness::growing, Wholeness::crashed, Wholeness::damaged};
+  if (json.is_number()) {
+    wholeness = kWords.at(json.get<std::size_t>());
+    return;
+  }
+  const auto word = json.get<std::string>();
+  const auto* const found =
+      std::ranges::find_if(kWords, [&](Wholeness known) { return word == catalogue::toString(known); });
+  if (found == kWords.end()) throw std::invalid_argument("wholeness: " + word);
+  wholeness = *found;
+}
+
+}  // namespace fyd::recording
+
 namespace fyd::catalogue {
 
-NLOHMANN_JSON_SERIALIZE_ENUM(recording::Wholeness, {{recording::Wholeness::whole, "whole"},
-                                                    {recording::Wholeness::growing, "growing"},
-                                                    {recording::Wholeness::crashed, "crashed"},
-                                                    {recording::Wholeness::damaged, "damaged"}})
 // The file's state is not kept: it was there when the entry was made.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(CatalogueEntry, id, path, station, started_utc, duration_s,
                                                 operator_name, subject, tags, notes, touchpad, robot, samples, gaps,

@@ -136,6 +136,27 @@ TEST_F(SqliteCatalogue, WhatTheDatabaseRefusesOfOneEntryDoesNotHoldTheOthersBack
   EXPECT_TRUE(catalogue->get("good"));
 }
 
+TEST_F(SqliteCatalogue, WhatWaitsSaysItsWholenessInWordsAndTheNumbersOfEarlierQueuesAreRead) {
+  for (const char* id : {"word", "number"}) {
+    CatalogueEntry entry = entryOf(id);
+    entry.wholeness = recording::Wholeness::crashed;
+    ASSERT_TRUE(queueEntry(path("sessions.sqlite"), entry, "away"));
+  }
+  {
+    soci::session queue(soci::sqlite3, "dbname=" + pendingPath());
+    std::string text;
+    queue << "SELECT entry FROM pending WHERE id = 'word'", soci::into(text);
+    EXPECT_THAT(text, HasSubstr(R"("wholeness":"crashed")"));
+    queue << R"(UPDATE pending SET entry = replace(entry, '"crashed"', '2') WHERE id = 'number')";
+  }
+  auto catalogue = Catalogue::open(word());
+  ASSERT_TRUE(catalogue) << catalogue.error().text();
+  for (const char* id : {"word", "number"}) {
+    ASSERT_TRUE(catalogue->get(id)) << id;
+    EXPECT_EQ(catalogue->get(id)->wholeness, recording::Wholeness::crashed) << id;
+  }
+}
+
 TEST_F(SqliteCatalogue, ANewerOneIsRefused) {
   ASSERT_TRUE(Catalogue::open(word()));
   soci::session(soci::sqlite3, "dbname=" + path("sessions.sqlite")) << "UPDATE catalogue_version SET version = 99";
