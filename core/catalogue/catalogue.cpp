@@ -48,6 +48,17 @@ Result<void> Catalogue::add(std::span<const CatalogueEntry> entries) {
   });
 }
 
+Result<void> Catalogue::addAsOwn(const CatalogueEntry& entry) {
+  if (auto ok = checkEntry(entry); !ok) return ok;
+  return database_->write([&](soci::session& sql) -> Result<void> {
+    putEntry(sql, entry);
+    const std::string station = stationName();
+    sql << "UPDATE sessions SET station = :station WHERE id = :id", soci::use(station, "station"),
+        soci::use(entry.id, "id");
+    return {};
+  });
+}
+
 Result<void> Catalogue::update(const CatalogueEntry& entry) {
   if (auto ok = checkEntry(entry); !ok) return ok;
   return database_->write([&](soci::session& sql) -> Result<void> {

@@ -63,6 +63,8 @@ class Catalogue {
   /// Adds the entry. An existing one with the same id gets the new facts of the file, and with a new path the station
   /// that sees it there; its notes and tags stay.
   [[nodiscard]] Result<void> add(const CatalogueEntry& entry);
+  /// The same, and this station looks after its file from now on: for a file that was named here.
+  [[nodiscard]] Result<void> addAsOwn(const CatalogueEntry& entry);
   /// All of them or none.
   [[nodiscard]] Result<void> add(std::span<const CatalogueEntry> entries);
   /// Replaces everything of the entry with this id; an error when there is none.

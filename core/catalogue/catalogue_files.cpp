@@ -36,6 +36,15 @@ struct Known {
   std::map<std::string, CatalogueEntry> by_id;
 };
 
+/// Whether the file at the entry's path is still its recording.
+bool isStillThere(const CatalogueEntry& entry, const EntryReader& read) {
+  const auto facts = fileFacts(entry.path);
+  if (!facts) return false;
+  if (isUnchanged(entry, *facts)) return true;
+  const auto now = read(entry.path);
+  return now && now->id == entry.id;
+}
+
 }  // namespace
 
 const char* toString(FileChange::Kind kind) {
@@ -98,7 +107,7 @@ Result<ScanReport> Catalogue::addFolder(const std::string& path, const EntryRead
     const auto same = known.by_id.find(entry->id);
     // Another station's file cannot be looked for here.
     if (same != known.by_id.end() && same->second.path != entry->path &&
-        (same->second.station != stationName() || fileFacts(same->second.path))) {
+        (same->second.station != stationName() || isStillThere(same->second, read))) {
       report.copies.push_back(entry->path);
       continue;
     }

@@ -51,7 +51,7 @@ void runAdd(const SessionCatalogueOptions& options) {
     }
     const bool known = !valueOrFail(catalogue.search({.id = entry->id})).empty();
     ++(known ? report.known : report.added);
-    valueOrFail(catalogue.add(*entry));
+    valueOrFail(catalogue.addAsOwn(*entry));
   }
   if (options.json) {
     printJson(toJson(report));

@@ -89,6 +89,15 @@ inline void checkStoresAndFinds(const std::string& word) {
   EXPECT_FALSE(catalogue.setNotes("cccc", ""));
   EXPECT_FALSE(catalogue.setTags("cccc", {"x"}));
 
+  CatalogueEntry foreign = entryOf("ffff");
+  foreign.station = "another";
+  ASSERT_TRUE(catalogue.add(foreign));
+  ASSERT_TRUE(catalogue.add(entryOf("ffff")));
+  EXPECT_EQ(catalogue.get("ffff")->station, "another") << "found again at its path";
+  ASSERT_TRUE(catalogue.addAsOwn(entryOf("ffff")));
+  EXPECT_EQ(catalogue.get("ffff")->station, stationName()) << "named here, at the same path";
+  ASSERT_TRUE(catalogue.remove("ffff"));
+
   CatalogueEntry bad = entryOf("dddd");
   bad.notes = "\xff";
   const std::vector<CatalogueEntry> mixed = {entryOf("eeee"), bad};

@@ -358,6 +358,19 @@ TEST_F(SqliteCatalogue, AnotherStationsEntryKeepsItsPathUntilItsFileIsNamedHere)
   EXPECT_EQ(catalogue->get("aaaa")->station, stationName());
 }
 
+TEST_F(SqliteCatalogue, AFileIsNoCopyWhenAnotherHasTheOldPath) {
+  writeText(path("data/m.h5"), "aaaa");
+  auto catalogue = Catalogue::open(word());
+  ASSERT_TRUE(catalogue->addFolder(path("data"), readMadeUp));
+  fs::rename(path("data/m.h5"), path("data/a.h5"));  // looked at before the old path
+  writeText(path("data/m.h5"), "another");
+  const auto scan = catalogue->addFolder(path("data"), readMadeUp);
+  ASSERT_TRUE(scan) << scan.error().text();
+  EXPECT_THAT(scan->copies, IsEmpty());
+  EXPECT_EQ(catalogue->get("aaaa")->path, fs::canonical(path("data/a.h5")).string());
+  EXPECT_EQ(catalogue->get("another")->path, fs::canonical(path("data/m.h5")).string());
+}
+
 TEST_F(SqliteCatalogue, ARecordingThatCannotBeReadIsNotCalledReplaced) {
   writeText(path("data/a.h5"), "aaaa");
   auto catalogue = Catalogue::open(word());
