@@ -2,9 +2,11 @@
 import csv
 import math
 import os
+import resource
 import signal
 import socket
 import struct
+import subprocess
 import threading
 import unittest
 
@@ -336,6 +338,26 @@ class Fencing(fyd.Case):
         one, two, log = self.fence(self.scene("a.toml"), self.scene("b.toml", 0.6))
         self.assertEqual((one["scenes"], two["scenes"]), ("different", "different"))
         self.assertIn("different scenes", log)
+
+    def test_a_file_that_cannot_be_written_loses_neither_the_summary_nor_the_end(self):
+        scene = self.scene("s.toml")
+        self.assertIn("/nowhere/r.csv", self.refused(1, "scene", "fence", scene, "--peer", "127.0.0.1:9", "-o", "/nowhere/r.csv"))
+        port = fyd.free_port()
+        fyd.Running(self, "scene", "fence", scene, "--listen", f"127.0.0.1:{port}")
+        fyd.wait_for_udp("127.0.0.1", port)
+        limit = 50_000
+        done = subprocess.run([fyd.PROGRAM, "scene", "fence", scene, "--peer", f"127.0.0.1:{port}", "--duration", "2", "-o",
+                               self.path("r.csv"), "--json"], capture_output=True, text=True, check=False, timeout=fyd.PATIENCE,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("r.csv: writing failed", done.stderr)
+        self.assertEqual(os.path.getsize(self.path("r.csv")), limit, "the limit was never met: this test shows nothing")
+        self.assertTrue(fyd.json.loads(done.stdout)["linked"])
+
+    def test_the_rows_stand_in_the_file_while_it_runs(self):
+        port, rows = fyd.free_port(), self.path("rows.csv")
+        fyd.Running(self, "scene", "fence", self.scene("s.toml"), "--listen", f"127.0.0.1:{port}", "-o", rows)
+        fyd.wait_for("rows to be written", lambda: os.path.exists(rows) and os.path.getsize(rows) > 5000)
 
     def test_what_cannot_be_is_refused(self):
         scene = self.scene("s.toml")

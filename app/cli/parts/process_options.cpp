@@ -1,7 +1,6 @@
 #include "app/cli/parts/process_options.h"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -78,16 +77,15 @@ void addRunOptions(CLI::App& command, double& duration_s, bool& json, const std:
 void runUntilInterrupted(const std::function<void(const std::stop_token&)>& run, const std::function<void()>& look) {
   watchForEnd();
   std::stop_source source;
-  std::atomic<bool> finished = false;
-  std::jthread watcher([&] {
-    while (!finished && endSignal() == 0) {
+  // Its destructor ends it, also when `run` throws.
+  const std::jthread watcher([&](const std::stop_token& over) {
+    while (!over.stop_requested() && endSignal() == 0) {
       if (look) look();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     source.request_stop();
   });
   run(source.get_token());
-  finished = true;
 }
 
 Duration runLimit(double duration_s) { return duration_s > 0.0 ? fromSeconds(duration_s) : Duration::max(); }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <deque>
 #include <iostream>
+#include <mutex>
 #include <numbers>
 #include <random>
 #include <thread>
@@ -11,6 +12,7 @@
 #include "app/cli/parts/process_options.h"
 #include "app/cli/parts/quantiles.h"
 #include "app/cli/scene/scene_cli.h"
+#include "core/base/end_signals.h"
 #include "core/protocol/link/described_scene.h"
 #include "core/protocol/link/device_message.h"
 #include "core/protocol/udp_socket.h"
@@ -112,17 +114,18 @@ Addresses addressesOf(const FenceOptions& options) {
 
 class Player {
  public:
+  /// @param out of the rows; none: null
   Player(const FenceOptions& options, const Addresses& addresses, const sim::FencingSettings& settings,
-         std::string digest)
-      : options_(options),
-        settings_(settings),
+         std::string digest, std::unique_ptr<OutputFile> out)
+      : settings_(settings),
         digest_(std::move(digest)),
         socket_(valueOrFail(protocol::UdpSocket::open(addresses.own))),
         peer_(addresses.peer),
         hand_(options),
-        end_(settings) {
+        end_(settings),
+        out_(std::move(out)) {
     end_.start(static_cast<std::uint16_t>(std::random_device{}()));
-    if (!options.out.empty()) {
+    if (out_) {
       rows_ =
           "t_s,own_grip_x_mm,own_grip_y_mm,own_grip_z_mm,other_grip_x_mm,other_grip_y_mm,other_grip_z_mm,"
           "force_x_N,force_y_N,force_z_N,touching\n";
@@ -154,10 +157,28 @@ class Player {
       const std::string words = protocol::describedWith("FYD fencing", digest_);
       say({reinterpret_cast<const std::uint8_t*>(words.data()), words.size()});
     }
-    if (rows_.empty()) return;
+    if (!out_) return;
     const Vec3 &own = end_.own().grip_mm, &other = end_.other().grip_mm, &f = touch.force_N;
-    rows_ += fmt::format("{:.6f},{},{},{},{},{},{},{},{},{},{}\n", now_s - began_s_, own.x, own.y, own.z, other.x,
-                         other.y, other.z, f.x, f.y, f.z, touch.touching ? 1 : 0);
+    const std::string row = fmt::format("{:.6f},{},{},{},{},{},{},{},{},{},{}\n", now_s - began_s_, own.x, own.y, own.z,
+                                        other.x, other.y, other.z, f.x, f.y, f.z, touch.touching ? 1 : 0);
+    const std::lock_guard lock(rows_mutex_);
+    rows_ += row;
+  }
+
+  /// Those of the steps so far, from any thread but that of the steps: a slow disk must not hold the player up.
+  void writeRows() {
+    if (!out_) return;
+    std::string rows;
+    {
+      const std::lock_guard lock(rows_mutex_);
+      rows.swap(rows_);
+    }
+    if (!rows.empty()) out_->write(rows);
+    out_->flush();
+  }
+  /// @throws Failure when not all rows reached the file
+  void closeRows() {
+    if (out_) out_->close();
   }
 
   void farewell() {
@@ -166,7 +187,6 @@ class Player {
       std::this_thread::sleep_for(fromSeconds(settings_.players.period_s));
       say(end_.datagram(clock_.at(Clock::now())));
     }
-    if (!options_.out.empty()) writeTextFile(options_.out, rows_, {options_.scene, options_.path, options_.card});
   }
 
   [[nodiscard]] protocol::SceneCopies scenes() const {
@@ -238,7 +258,6 @@ class Player {
     ++figures.compared;
   }
 
-  FenceOptions options_;
   sim::FencingSettings settings_;
   std::string digest_;
   protocol::UdpSocket socket_;
@@ -253,7 +272,9 @@ class Player {
   std::optional<std::string> there_;
   std::deque<std::pair<double, Vec3>> believed_;
   std::vector<protocol::DeviceMessage> to_compare_;  // of this step
-  std::string rows_;
+  std::unique_ptr<OutputFile> out_;
+  std::mutex rows_mutex_;
+  std::string rows_;  // not written yet
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(protocol::kMaximumDatagram);
 };
 
@@ -289,14 +310,17 @@ void fence(const FenceOptions& options) {
   if (!file.description.swords) throw Failure(say("{}: no [swords] to fence with", options.scene));
   const sim::FencingSettings settings{
       .swords = *file.description.swords, .players = file.description.fencing, .predictor = *predictor};
-  if (!options.out.empty()) refuseToDestroy(options.out, {options.scene, options.path, options.card});
-  Player player(options, addresses, settings, digestOf(file));
+  std::unique_ptr<OutputFile> out;
+  if (!options.out.empty()) {
+    out = std::make_unique<OutputFile>(options.out, std::vector{options.scene, options.path, options.card});
+  }
+  Player player(options, addresses, settings, digestOf(file), std::move(out));
   std::cerr << fmt::format("fencing on {} with {}\n", protocol::toString(player.local()),
                            options.peer.empty() ? "whoever speaks first" : options.peer);
   station::HapticLoop loop;
   bool linked = false;
   auto scenes = protocol::SceneCopies::none;
-  runUntilInterrupted([&](const std::stop_token& stop) {
+  const auto play = [&](const std::stop_token& stop) {
     std::stop_source ended;
     const std::stop_callback interrupted(stop, [&ended] { ended.request_stop(); });
     const Instant start = Clock::now();
@@ -308,16 +332,21 @@ void fence(const FenceOptions& options) {
       if (const auto copies = player.scenes(); copies != std::exchange(scenes, copies)) {
         std::cerr << protocol::toString(copies) << '\n';
       }
-      if (options.duration_s > 0.0 && toSeconds(now - start) >= options.duration_s) ended.request_stop();
+      // The signal is looked at here as well: whoever else does may be held up by the file.
+      const bool over = options.duration_s > 0.0 && toSeconds(now - start) >= options.duration_s;
+      if (over || endSignal() != 0) ended.request_stop();
     });
     player.farewell();
-  });
+  };
+  runUntilInterrupted(play, [&player] { player.writeRows(); });
+  player.writeRows();
   if (!player.everLinked()) {
     const std::string& whom = options.peer.empty() ? options.listen : options.peer;
     if (!player.otherClock().empty()) throw Failure(about(whom, player.otherClock()));
     throw Failure(say("{}: no other player answered", whom));
   }
   printSummary(fencingSummary(player, settings, loop.missedCycles()), options.json);
+  player.closeRows();
 }
 
 }  // namespace
