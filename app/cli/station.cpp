@@ -26,6 +26,8 @@ namespace {
 
 namespace words = station::words;
 
+constexpr Duration kOwnEnd = std::chrono::milliseconds(250);  // in which a session that is not held up ends by itself
+
 struct StationOptions {
   station::StationOptions station;
   ProfileOptions profile;
@@ -222,6 +224,14 @@ void runStation(const StationOptions& options) {
       spdlog::info("{:9.3f} s  {}", toSeconds(notice.when - start), notice.message.text());
     }
   };
+  // This thread may be held up for as long as whoever reads the telemetry likes: the motors do not wait for it.
+  std::jthread stopper([&station](const std::stop_token& over) {
+    while (endSignal() == 0 && !over.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    for (const Instant came = Clock::now(); Clock::now() - came < kOwnEnd && !over.stop_requested();) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    if (!over.stop_requested()) station->requestStop();
+  });
   while (endSignal() == 0 && (options.duration_s <= 0.0 || toSeconds(Clock::now() - start) < options.duration_s)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     drain();
@@ -229,6 +239,7 @@ void runStation(const StationOptions& options) {
   drain();
   const SessionFigures at_end = figures;
   station->requestStop();  // closing a recording on a slow disk takes seconds
+  stopper.request_stop();
   if (station->recorderStatus().state == recording::RecorderState::recording) (void)station->stopRecording();
   if (csv) csv->flush();
   reportStation(options, at_end, *station);

@@ -1,4 +1,5 @@
 """Signals that end programs: each closes the recording whole, of the command line and of the window."""
+import csv
 import fcntl
 import os
 import pty
@@ -53,8 +54,8 @@ class Case(fyd.Case):
 
 
 class Station(Case):
-    def start(self, **keywords):
-        return self.started(fyd.PROGRAM, "station", stderr=subprocess.DEVNULL, **keywords)
+    def start(self, *words, **keywords):
+        return self.started(fyd.PROGRAM, "station", *words, stderr=subprocess.DEVNULL, **keywords)
 
     def test_ctrl_c_a_polite_end_and_a_lost_terminal(self):
         for number, code in ((signal.SIGINT, 0), (signal.SIGTERM, 0), (signal.SIGHUP, 129)):
@@ -102,6 +103,28 @@ class Station(Case):
                                 fyd.PROGRAM, self.recording], capture_output=True, check=False, timeout=MOST_WAIT_s)
         self.assertEqual(len(shell.stdout.splitlines()), 1)
         self.expect_whole()
+
+    def test_whoever_reads_its_telemetry_may_stop_reading(self):
+        process = self.start("--telemetry", "/dev/stdout", stdout=subprocess.PIPE, text=True)
+        self.addCleanup(process.stdout.close)
+        state = process.stdout.readline().strip().split(",").index("state")
+        active, stopped = "3", "5"
+        while process.stdout.readline().split(",")[state] != active:
+            pass
+        for number in (None, signal.SIGINT):  # it is stuck in the pipe by then; then it is told to end
+            if number:
+                process.send_signal(number)
+            before = self.committed()
+            self.wait_for("a second to be recorded", lambda end=before + 1000: self.committed() > end)
+        process.kill()
+        process.wait()
+        self.json("session", "recover", self.recording, "--json")
+        table = self.path("t.csv")
+        self.json("session", "replay", self.recording, "--telemetry", table, "--json")
+        with open(table, encoding="utf-8") as file:
+            states = [row["state"] for row in csv.DictReader(file)]
+        self.assertIn(active, states)
+        self.assertEqual(states[-1], stopped)
 
     def test_a_limit_on_files_is_a_full_disk(self):
         # Ten megabytes stay free, as on a disk: the recording closes whole long before it meets the limit.
