@@ -71,6 +71,12 @@ int endSignalDescriptor() { return read_end; }
 
 void makeFailedWritesErrors() {
   for (const int signal : {SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_IGN);
+  // open() gives the lowest number that is free. For reading only: what is printed there fails, as on a closed one.
+  while (true) {
+    const int lowest = ::open("/dev/null", O_RDONLY);
+    if (lowest > STDERR_FILENO) ::close(lowest);
+    if (lowest < 0 || lowest > STDERR_FILENO) break;
+  }
 }
 
 }  // namespace fyd

@@ -21,7 +21,9 @@ void watchForEnd();
 [[nodiscard]] constexpr int exitCodeOf(int signal) { return 128 + signal; }
 
 /// A reader that went away (SIGPIPE) and a limit on the size of files (SIGXFSZ) no longer end the program in the middle
-/// of its work: the write fails, with EPIPE or EFBIG, as it does on a full disk. For the first line of a `main`.
+/// of its work: the write fails, with EPIPE or EFBIG, as it does on a full disk. Standard input, output and error that
+/// are closed no longer lend their numbers to the files and devices that are opened later, which would get what is
+/// printed; printing there still fails. For the first line of a `main`.
 void makeFailedWritesErrors();
 
 }  // namespace fyd

@@ -141,6 +141,15 @@ class Sessions(fyd.Case):
         self.assertIn("--headless is not needed", done.stderr)
         self.assertNotIn("--headless", fyd.run("station", "--help").stdout)
 
+    def test_what_it_says_with_nowhere_to_say_it_reaches_no_file(self):
+        out = self.path("telemetry.csv")
+        done = subprocess.run(["bash", "-c", 'exec "$0" "$@" <&- >&- 2>&-', fyd.PROGRAM, *SESSION, "--duration", "2",
+                               "--telemetry", out], check=False, timeout=fyd.PATIENCE)
+        self.assertEqual(done.returncode, 1, "its result could not be printed")
+        with open(out, encoding="utf-8") as file:
+            widths = {line.count(",") for line in file}
+        self.assertEqual(len(widths), 1, "each line is a row")
+
     def test_an_interrupt_ends_it_with_its_result(self):
         session = fyd.Running(self, *SESSION, "--json")
         session.await_log("Ready")

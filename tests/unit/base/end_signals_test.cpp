@@ -1,6 +1,7 @@
 // Signals that end a program: its loop reads them as a number; only a later one ends the process at once.
 #include "core/base/end_signals.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
@@ -145,6 +146,20 @@ TEST(EndSignals, FailedWritesAreErrors) {
   });
   EXPECT_EQ(child.next(), EPIPE);
   EXPECT_EQ(child.next(), EFBIG);
+}
+
+TEST(EndSignals, ClosedStandardDescriptorsLendTheirNumbersToNothing) {
+  const Child child([](int to) {
+    for (const int each : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::close(each);
+    makeFailedWritesErrors();
+    tell(to, ::open("/dev/null", O_WRONLY) > STDERR_FILENO ? 1 : 0);
+    tell(to, ::write(STDOUT_FILENO, "x", 1) < 0 ? errno : 0);
+    tell(to, ::write(STDERR_FILENO, "x", 1) < 0 ? errno : 0);
+    return 0;
+  });
+  EXPECT_EQ(child.next(), 1);
+  EXPECT_EQ(child.next(), EBADF);
+  EXPECT_EQ(child.next(), EBADF);
 }
 
 }  // namespace
