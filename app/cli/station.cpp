@@ -73,16 +73,25 @@ struct SessionFigures {
   }
 };
 
-/// Arms once, when everything is first ready, and never again: re-arming is left to the operator.
+/// Arms once, when everything is first ready, and never again: re-arming is left to the operator. One that was refused,
+/// because something went missing in that very step, did not arm.
 class ArmOnce {
  public:
   void see(const pipeline::TelemetrySample& sample, station::Station& station) {
-    if (done_ || sample.state != pipeline::SafetyState::ready) return;
-    done_ = station.command({.action = pipeline::OperatorAction::arm});
+    using enum pipeline::SafetyState;
+    // Of these states the way back to Ready leads over nothing: a Ready that is seen later was never Active.
+    done_ = done_ || sample.state == active || sample.state == held || sample.state == stopped || endSignal() != 0;
+    if (done_ || sample.state != ready || sample.step < judged_by_) return;
+    if (!station.command({.action = pipeline::OperatorAction::arm})) return;
+    // The step that is being made may have taken its commands before, the one after it takes this one: never two at once,
+    // of which the second would arm what ended in between.
+    judged_by_ = station.status().loop.steps + kTakenWithin;
   }
 
  private:
+  static constexpr std::uint64_t kTakenWithin = 2;
   bool done_ = false;
+  std::uint64_t judged_by_ = 0;  ///< the step that shows what became of the last arm
 };
 
 nlohmann::ordered_json recordingOf(const recording::RecorderStatus& status) {
