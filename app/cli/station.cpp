@@ -218,6 +218,7 @@ void runStation(const StationOptions& options) {
   station->start();
   const Instant start = Clock::now();
   auto scenes = protocol::SceneCopies::none;
+  bool told_unwritten = false;
   const auto drain = [&] {
     if (const auto now = station->status().link.scenes; now != std::exchange(scenes, now)) {
       spdlog::log(isWrong(now) ? spdlog::level::warn : spdlog::level::info, "{}", protocol::toString(now));
@@ -228,6 +229,9 @@ void runStation(const StationOptions& options) {
         figures.add(batch[i]);
         if (csv) csv->write(batch[i]);
       }
+    }
+    if (csv && !csv->problem().empty() && !std::exchange(told_unwritten, true)) {
+      spdlog::warn("{}", csv->problem().text());
     }
     for (const station::Notice& notice : station->takeNotices()) {
       spdlog::info("{:9.3f} s  {}", toSeconds(notice.when - start), notice.message.text());
@@ -253,6 +257,8 @@ void runStation(const StationOptions& options) {
   if (csv) csv->flush();
   reportStation(options, at_end, *station);
   station->shutDown();
+  // Told beside a recording that failed: a full disk fails both.
+  const Message unwritten = csv ? csv->closed() : Message{};
   if (options.station.record) {
     const recording::RecorderStatus recorded = station->recorderStatus();
     const bool failed = recorded.state == recording::RecorderState::failed;
@@ -261,9 +267,12 @@ void runStation(const StationOptions& options) {
       const auto entered = catalogue::catalogueRecording(options.catalogue, options.station.record->path);
       if (!entered) spdlog::warn("catalogue: {}", entered.error().text());
     }
-    if (failed) throw Failure(say("recording: {}", recorded.problem));
+    if (failed) {
+      const Message lost = say("recording: {}", recorded.problem);
+      throw Failure(unwritten.empty() ? lost : verbatim(fmt::format("{}; {}", lost, unwritten)));
+    }
   }
-  if (csv) csv->close();
+  if (!unwritten.empty()) throw Failure(unwritten);
 }
 
 }  // namespace

@@ -130,12 +130,15 @@ class Station(Case):
         # Ten megabytes stay free, as on a disk: the recording closes whole long before it meets the limit.
         limit = 12_000_000
         self.recording = self.path("session.h5")
-        done = subprocess.run([fyd.PROGRAM, "station", "--simulate", "--duration", "16", "--record", self.recording,
-                               "--set", "session.smallest_free_MB=10", "--catalogue", "sqlite:" + self.path("c.sqlite")],
-                              capture_output=True, text=True, check=False, timeout=MOST_WAIT_s,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([fyd.PROGRAM, "station", "--simulate", "--duration", "16", "--record", self.recording,
+                                   "--set", "session.smallest_free_MB=10", "--telemetry", "/dev/stdout",
+                                   "--catalogue", "sqlite:" + self.path("c.sqlite")],
+                                  stdout=full, stderr=subprocess.PIPE, text=True, check=False, timeout=MOST_WAIT_s,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("is whole up to here", done.stderr)
+        self.assertRegex(done.stderr, "fyd: recording: .*; /dev/stdout: writing failed")
         self.expect_whole()
         listed = self.json("session", "list", "--catalogue", "sqlite:" + self.path("c.sqlite"), "--json")["sessions"]
         self.assertEqual([os.path.basename(each["path"]) for each in listed], ["session.h5"])
@@ -146,7 +149,9 @@ class Station(Case):
                               capture_output=True, text=True, check=False, timeout=MOST_WAIT_s,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertIn("t.csv: writing failed", done.stderr)
+        while_it_ran, at_its_end = done.stderr.split("t.csv: writing failed")[1:]
+        self.assertIn("\nfyd: ", while_it_ran)
+        self.assertNotIn("\nfyd: ", at_its_end)
         self.assertEqual(os.path.getsize(self.path("t.csv")), limit, "the limit was never met: this test shows nothing")
 
     def test_a_replay_that_cannot_be_written_whole_leaves_what_was_there(self):

@@ -144,7 +144,11 @@ void OutputFile::close() {
   if (part_) return valueOrFail(part_->commit());
   begin();
   note(std::fclose(file_.release()) == 0);
-  if (problem_ != 0) throw Failure(say("{}: writing failed: {}", path_, systemReason(problem_)));
+  if (problem_ != 0) throw Failure(problem());
+}
+
+Message OutputFile::problem() const {
+  return problem_ == 0 ? Message{} : say("{}: writing failed: {}", path_, systemReason(problem_));
 }
 
 }  // namespace fyd::cli

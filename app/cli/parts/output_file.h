@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/recording/file/export_file.h"
 
 namespace fyd::cli {
@@ -38,6 +39,8 @@ class OutputFile {
   void flush();
   /// Throws Failure when not everything reached the file.
   void close();
+  /// Of a growing file, the first write that failed; empty: none.
+  [[nodiscard]] Message problem() const;
 
  private:
   struct Closer {

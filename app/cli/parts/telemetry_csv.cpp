@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/cli/parts/command.h"
 #include "core/export/export_csv_text.h"
 
 namespace fyd::cli {
@@ -28,6 +29,15 @@ void TelemetryCsv::flush() {
 void TelemetryCsv::close() {
   writeNames();
   file_.close();
+}
+
+Message TelemetryCsv::closed() {
+  try {
+    close();
+  } catch (const Failure& failure) {
+    return failure.message;
+  }
+  return {};
 }
 
 void TelemetryCsv::write(const pipeline::TelemetrySample& sample) {

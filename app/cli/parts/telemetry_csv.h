@@ -20,6 +20,10 @@ class TelemetryCsv {
   void flush();
   /// Throws Failure when not everything reached the file.
   void close();
+  /// The same, with what went wrong returned; empty: nothing.
+  [[nodiscard]] Message closed();
+  /// What went wrong so far; empty: nothing.
+  [[nodiscard]] Message problem() const { return file_.problem(); }
 
  private:
   void writeNames();
