@@ -291,6 +291,15 @@ class Sessions(fyd.Case):
             for baud in ("12345", "-5", "0"):
                 self.assertIn(f"{option}: {baud}: no speed", self.refused(2, "sim", "touchpad", of, port, f"{option}={baud}"))
 
+    def test_a_line_that_another_simulator_made_is_its_own(self):
+        first = Simulator(self, rtu=True)
+        again = ("sim", "touchpad", "--modbus-rtu", first.rtu, "--duration", 0.1)
+        self.assertIn(first.rtu, self.refused(1, *again))
+        first.running.process.kill()
+        first.running.process.wait()
+        self.assertTrue(os.path.islink(first.rtu), "nobody took it away: this test shows nothing")
+        self.json(*again, "--json")
+
     def test_a_finger_may_come_through_a_pipe(self):
         for text in ("t_s,x_mm,y_mm,z_mm\n0,0,0,-1\n1,5,0,-1\n",
                      'format = "FYD gesture 1"\nname = "a"\n---\nt_s,x_mm,y_mm,depth_mm\n0,0,0,1\n1,5,0,1\n'):

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "core/base/system_reason.h"
+#include "core/device/in_use.h"
 
 namespace fyd::sim {
 namespace {
@@ -30,6 +31,27 @@ Result<int> openMaster(const std::string& link) {
   return fail("{}: pseudo-terminal: {}", link, systemReason(problem));
 }
 
+/// Marks a simulator's own end of a pseudo-terminal: open as long as the simulator runs. Not by flock(), with which the
+/// program at the other end claims the port for itself.
+struct flock simulatorsMark() {
+  struct flock mark {};
+  mark.l_type = F_WRLCK;
+  mark.l_whence = SEEK_SET;
+  return mark;
+}
+
+/// A pseudo-terminal of anything else, such as socat's, is a port like any other.
+bool isAnotherSimulators(const std::string& path) {
+  std::error_code problem;
+  if (!fs::canonical(path, problem).string().starts_with("/dev/pts/")) return false;
+  const int file = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return false;
+  struct flock mark = simulatorsMark();
+  const bool marked = ::fcntl(file, F_OFD_GETLK, &mark) == 0 && mark.l_type != F_UNLCK;
+  ::close(file);
+  return marked;
+}
+
 int openRaw(const char* name) {
   const int slave = ::open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);
   termios mode{};
@@ -37,6 +59,8 @@ int openRaw(const char* name) {
     ::cfmakeraw(&mode);
     ::tcsetattr(slave, TCSANOW, &mode);
   }
+  struct flock mark = simulatorsMark();
+  if (slave >= 0) ::fcntl(slave, F_OFD_SETLK, &mark);
   return slave;
 }
 
@@ -82,6 +106,7 @@ Result<SerialEnd> SerialEnd::open(const std::string& path, int baud) {
   SerialEnd out;
   std::error_code problem;
   if (fs::exists(path, problem)) {
+    if (isAnotherSimulators(path)) return fail(device::portInUse(path));
     auto port = device::SerialPort::open(path, baud);
     if (!port) return tl::unexpected(port.error());
     out.port_ = std::move(*port);

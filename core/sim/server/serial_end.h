@@ -30,7 +30,8 @@ class PseudoTerminal {
 
 class SerialEnd {
  public:
-  /// @param path of a serial port; if there is none, a pseudo-terminal is created there
+  /// @param path of a serial port; if there is none, a pseudo-terminal is created there. One that another simulator
+  /// made is its own.
   [[nodiscard]] static Result<SerialEnd> open(const std::string& path, int baud);
   /// Non-blocking; open as long as this object.
   [[nodiscard]] int file() const { return port_ ? port_->file() : terminal_->file(); }
