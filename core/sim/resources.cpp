@@ -14,7 +14,8 @@ std::string resourceFolder() {
 
 std::string findResource(const std::string& given, std::string_view kind) {
   std::error_code problem;
-  if (given.empty() || given.find('/') != std::string::npos || fs::exists(given, problem)) return given;
+  if (given.empty() || given.find('/') != std::string::npos) return given;
+  if (fs::exists(given, problem) && !fs::is_directory(given, problem)) return given;
   const fs::path shipped = fs::path(resourceFolder()) / kind / given;
   for (const char* ending : {"", ".toml"}) {
     std::string path = shipped.string() + ending;

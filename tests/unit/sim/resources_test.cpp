@@ -36,6 +36,8 @@ TEST(Resources, GiveWayToAFileOfThisName) {
   std::ofstream("wood.toml") << "mine";
   EXPECT_EQ(findResource("wood.toml", "textures"), "wood.toml");
   EXPECT_THAT(findResource("wood", "textures"), EndsWith("/textures/wood.toml"));
+  std::filesystem::create_directory("wood");
+  EXPECT_THAT(findResource("wood", "textures"), EndsWith("/textures/wood.toml")) << "a folder is no file of this name";
   std::filesystem::current_path(before);
 }
 
