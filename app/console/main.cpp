@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <cstdio>
 
+#include "app/console/shell/key_guard.h"
 #include "app/console/shell/language.h"
 #include "app/console/shell/options.h"
 #include "app/console/window/exit_guard.h"
@@ -94,7 +95,7 @@ int main(int argc, char** argv) {
   if (!opened) return complain(opened.error().message, 1);
 
   if (options->scale > 0.0) qputenv("QT_SCALE_FACTOR", QByteArray::number(options->scale));
-  QApplication application(argc, argv);
+  fyd::console::Application application(argc, argv);
   fyd::console::speak(application, fyd::console::chooseLanguage({options->language, memory.language()}));
   fyd::widgets::Look::instance().apply(
       application, options->theme.value_or(memory.theme().value_or(fyd::widgets::ThemeChoice::system)));

@@ -22,6 +22,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "app/console/shell/key_guard.h"
 #include "app/console/window/main_window.h"
 #include "app/console/window/places.h"
 #include "tests/own_home.h"
@@ -363,7 +364,7 @@ int main(int argc, char** argv) {
     }
   }
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QApplication application(argc, argv);
+  console::Application application(argc, argv);
   QLocale::setDefault(QLocale(QStringLiteral("en")));
   widgets::Look::instance().apply(application, widgets::ThemeChoice::dark);
   Nowhere nowhere;

@@ -1,6 +1,7 @@
 // Every page in three languages and both themes at the scale of this process (QT_SCALE_FACTOR): nothing cut off,
 // nothing over anything else, at 1280×720. With FYD_LOOKS_FOLDER the pictures are kept, for people.
 #include "app/console/calibrate/calibrate_page.h"
+#include "app/console/shell/key_guard.h"
 #include "app/console/shell/language.h"
 #include "app/console/tune/tune_page.h"
 #include "app/console/window/places.h"
@@ -132,7 +133,7 @@ class LooksTest : public QObject {
 
 int main(int argc, char** argv) {
   const fyd::OwnHome home;
-  QApplication application(argc, argv);
+  fyd::console::Application application(argc, argv);
   fyd::tests::LooksTest test;
   return QTest::qExec(&test, argc, argv);
 }

@@ -1,10 +1,11 @@
+#include "app/console/shell/key_guard.h"
 #include "tests/own_home.h"
 #include "tests/widgets/suite.h"
 #include "widgets/basics/theme.h"
 
 int main(int argc, char** argv) {
   const fyd::OwnHome home;
-  QApplication application(argc, argv);
+  fyd::console::Application application(argc, argv);
   QLocale::setDefault(QLocale(QStringLiteral("en")));  // whatever the machine speaks
   fyd::widgets::Look::instance().apply(application, fyd::widgets::ThemeChoice::dark);
   int failed = 0;

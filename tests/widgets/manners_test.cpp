@@ -1,5 +1,6 @@
 // The window's manners: languages, layouts that come back, a settings file that is damaged, the manual, and a walk over
 // every control of every place: named, with its unit, reached by the Tab key, and seen to have the focus.
+#include <QDrag>
 #include <QToolTip>
 
 #include "app/console/review/review_page.h"
@@ -67,11 +68,66 @@ void verifyChosen(const widgets::CurveStack& stack) {
   QVERIFY(!stack.strip(1)->chosenRange());
 }
 
+/// Drags that a hand begins which presses on selected text and moves far away at once.
+template <typename TextEdit>
+qsizetype dragsOutOf(TextEdit& text) {
+  text.selectAll();
+  QTextCursor first = text.textCursor();
+  first.setPosition(2);
+  const QPointF on = text.cursorRect(first).center();
+  const auto mouse = [&](QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::MouseButtons held) {
+    QMouseEvent event(type, at, text.viewport()->mapToGlobal(at), button, held, Qt::NoModifier);
+    QCoreApplication::sendEvent(text.viewport(), &event);
+  };
+  mouse(QEvent::MouseButtonPress, on, Qt::LeftButton, Qt::LeftButton);
+  mouse(QEvent::MouseMove, on + QPointF(400, 300), Qt::NoButton, Qt::LeftButton);
+  const qsizetype begun = text.template findChildren<QDrag*>().size();  // one that has ended goes with the next events
+  mouse(QEvent::MouseButtonRelease, on + QPointF(400, 300), Qt::LeftButton, Qt::NoButton);
+  return begun;
+}
+
 }  // namespace
 
 class MannersTest : public QObject {
   Q_OBJECT
  private slots:
+  void noTextBeginsADrag() {
+    Fixture f;
+    QPlainTextEdit any(QStringLiteral("hello hello"));
+    any.show();
+    QCOMPARE(dragsOutOf(any), qsizetype{1});
+    QTest::keyClick(f.window.get(), Qt::Key_R, Qt::ControlModifier);
+    QPlainTextEdit* notes = f.window->recording()->form()->notesField();
+    notes->setPlainText(QStringLiteral("hello hello"));
+    QCOMPARE(dragsOutOf(*notes), qsizetype{0});
+    f.window->help()->showTopic(QStringLiteral("operate.md"));
+    QCOMPARE(dragsOutOf(*f.window->help()->page()), qsizetype{0});
+    for (const QLineEdit* each : f.window->findChildren<QLineEdit*>()) QVERIFY(!each->dragEnabled());
+  }
+
+  void escAndTheRedButtonStopInADrag() {
+    struct DragsFilter : QObject {  // newer than the window's own, it takes all that a hand does
+      bool eventFilter(QObject*, QEvent* event) override {
+        return event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease ||
+               event->type() == QEvent::ShortcutOverride || event->type() == QEvent::MouseButtonPress ||
+               event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseMove;
+      }
+    };
+    Fixture f;
+    DragsFilter drag;
+    qApp->installEventFilter(&drag);
+    QWindow* window = f.window->windowHandle();
+    QTest::keyClick(window, Qt::Key_Escape);
+    const int by_key = f.session->stops;
+    QVERIFY(by_key >= 1);
+    const QPushButton* stop = f.window->stateBar()->stopButton();
+    const QPoint on = stop->mapTo(f.window.get(), stop->rect().center());
+    QTest::mouseClick(window, Qt::LeftButton, {}, on + QPoint(0, 2 * stop->height()));
+    QCOMPARE(f.session->stops, by_key);  // beside it
+    QTest::mouseClick(window, Qt::LeftButton, {}, on);
+    QVERIFY(f.session->stops > by_key);
+  }
+
   void numbersHaveTheDecimalSignOfTheLanguageAndReadEither() {
     QCOMPARE(widgets::numberText(1.5, 2), QStringLiteral("1.50"));
     {

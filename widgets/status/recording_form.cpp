@@ -8,15 +8,16 @@
 #include <QVBoxLayout>
 
 #include "widgets/basics/theme.h"
+#include "widgets/basics/undragged.h"
 
 namespace fyd::widgets {
 namespace {
 
 /// Takes text only. Qt 6.4 ends the program when something without any text is pasted into a QPlainTextEdit: a click
 /// with the middle button on a desktop where nothing was ever selected is enough.
-class NoteEdit : public QPlainTextEdit {
+class NoteEdit : public Undragged<QPlainTextEdit> {
  public:
-  using QPlainTextEdit::QPlainTextEdit;
+  using Undragged::Undragged;
 
  protected:
   bool canInsertFromMimeData(const QMimeData* source) const override { return source != nullptr && source->hasText(); }

@@ -10,6 +10,7 @@
 #include "app/console/window/manual.h"
 #include "widgets/basics/icon.h"
 #include "widgets/basics/theme.h"
+#include "widgets/basics/undragged.h"
 
 namespace fyd::console {
 
@@ -20,9 +21,9 @@ const QString kContents = QStringLiteral("README.md");
 constexpr int kPageWidth = 54 * kGrid;  // px: a table of four columns fits without breaking words
 
 /// A page that scales its images to its width.
-class ManualPage : public QTextBrowser {
+class ManualPage : public widgets::Undragged<QTextBrowser> {
  public:
-  using QTextBrowser::QTextBrowser;
+  using Undragged::Undragged;
   QSize sizeHint() const override { return {kPageWidth, kPageWidth}; }
   QVariant loadResource(int type, const QUrl& name) override {
     QVariant found = QTextBrowser::loadResource(type, name);

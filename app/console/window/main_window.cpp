@@ -225,6 +225,7 @@ void MainWindow::showLink() {
 void MainWindow::connectStateBar() {
   const widgets::StateBar* bar = stateBar();
   connect(keys_, &KeyGuard::stopPressed, this, &MainWindow::stop);
+  keys_->setStopButton(bar->stopButton());
   connect(bar, &widgets::StateBar::stopAsked, this, &MainWindow::stop);
   connect(bar, &widgets::StateBar::armAsked, this, [this] { ask(pipeline::OperatorAction::arm); });
   connect(bar, &widgets::StateBar::tareAsked, this, [this] { ask(pipeline::OperatorAction::tare); });
