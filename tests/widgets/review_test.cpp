@@ -353,6 +353,36 @@ class ReviewTest : public QObject {
     QVERIFY(beside.seek(0) && beside.readAll() == before);
   }
 
+  void aGrowingRecordingIsSeenAsFarAsTheWindowSays() {
+    ReviewFixture f;
+    const QString path = f.folder.filePath(QStringLiteral("grow.h5"));
+    auto writer = recording::RecordingWriter::create(
+        path.toStdString(), {.id = std::string(32, 'e'), .started = Instant(std::chrono::seconds(100))});
+    QVERIFY(writer);
+    const auto grow = [&](std::uint64_t from, std::uint64_t to) {
+      for (std::uint64_t i = from; i < to; ++i) {
+        recording::StepRecord record = row(i, kPress);
+        if (i == kSpike) (void)record.events.push({.kind = pipeline::EventKind::tare_done});
+        if (!(*writer)->append(record)) return false;
+      }
+      return (*writer)->commit().has_value();
+    };
+    QVERIFY(grow(0, kPress));
+    f.openByPath(path + QStringLiteral(".partial"));
+    QVERIFY2(f.page->title().contains(QStringLiteral("still being recorded")), qPrintable(f.page->title()));
+    WAIT_FOR(f.page->work()->running().empty());
+    QCOMPARE(f.page->notes()->rowCount(), 0);
+    const auto comeBack = [&] {
+      QTest::keyClick(f.window.get(), Qt::Key_1, Qt::ControlModifier);
+      QTest::keyClick(f.window.get(), Qt::Key_3, Qt::ControlModifier);
+    };
+    QVERIFY(grow(kPress, kRows));
+    comeBack();
+    QCOMPARE(f.page->notes()->rowCount(), 1);
+    QCOMPARE(f.page->overview()->marks().size(), std::size_t{1});
+    WAIT_EQUAL(f.page->touches()->rowCount(), 1);
+  }
+
   void aPictureThatCannotBeReadIsNotOneThatWasNotTaken() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("pictures.h5"));

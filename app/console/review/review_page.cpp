@@ -208,8 +208,16 @@ ReviewPage::~ReviewPage() {
 void ReviewPage::enter() {
   if (showsList()) list_->look();
   if (recording_ && recording_->info().wholeness == recording::Wholeness::growing) {
-    if (const auto news = recording_->refresh(); news && *news) describe();
+    if (const auto news = recording_->refresh(); news && *news) showGrowth();
   }
+}
+
+void ReviewPage::showGrowth() {
+  describe();
+  marks_.show(*recording_);
+  showEnvelope();
+  curves_->redrawSoon();
+  tabs_->findTouches();
 }
 
 QString ReviewPage::unfinished() const {

@@ -82,6 +82,8 @@ class ReviewPage : public Page {
   void addExportCommands(PlaceCommands& commands);
   void close();
   void describe();
+  /// What was recorded since it was shown last.
+  void showGrowth();
   /// As the operator asked.
   void goTo(double time_s);
   /// At what is there.

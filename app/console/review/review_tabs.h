@@ -25,6 +25,8 @@ class ReviewTabs : public QTabWidget {
 
   /// Begins to look for touches.
   void open(const ShownRecording& shown);
+  /// Looks for them anew: the recording has grown.
+  void findTouches();
   /// Ends what is computed, and forgets the recording.
   void close();
   /// Shows the figures between two times; nothing happens before both are known.
@@ -48,7 +50,6 @@ class ReviewTabs : public QTabWidget {
  private:
   QWidget* buildTouches();
   void showTouches(const std::vector<exports::Touch>& touches);
-  void findTouches();
 
   PageContext context_;
   ReviewExports* exports_ = nullptr;
