@@ -381,6 +381,18 @@ class ReviewTest : public QObject {
     QCOMPARE(f.page->notes()->rowCount(), 1);
     QCOMPARE(f.page->overview()->marks().size(), std::size_t{1});
     WAIT_EQUAL(f.page->touches()->rowCount(), 1);
+    // Once it is closed it has another name, by which all that is made of it finds it.
+    QVERIFY((*writer)->close());
+    writer->reset();
+    comeBack();
+    QVERIFY2(f.page->title().startsWith(QStringLiteral("grow.h5 ")), qPrintable(f.page->title()));
+    QVERIFY2(f.page->title().contains(QStringLiteral("whole")), qPrintable(f.page->title()));
+    f.page->writeNote(recording::NoteKind::note, QStringLiteral("soft"));
+    QCOMPARE(notesOf(path)->notes.size(), std::size_t{1});
+    f.page->exports()->exportAs(QStringLiteral("csv"));
+    WAIT_FOR(f.page->exports()->underWay().isEmpty());
+    QVERIFY2(QFile::exists(f.folder.filePath(QStringLiteral("grow.csv"))), qPrintable(f.told()));
+    QCOMPARE(f.page->recent().paths().constFirst(), path);
   }
 
   void aPictureThatCannotBeReadIsNotOneThatWasNotTaken() {

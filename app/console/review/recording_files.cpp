@@ -7,6 +7,8 @@
 #include <QMimeData>
 #include <QSettings>
 
+#include "core/recording/file/recording_place.h"
+
 namespace fyd::console {
 namespace {
 
@@ -52,7 +54,9 @@ void RecentRecordings::fill(QMenu& menu, TakeFile take) {
     menu.clear();
     for (const QString& path : paths_) {
       const QString name = QFileInfo(path).fileName();
-      QAction* action = menu.addAction(QFileInfo::exists(path) ? name : tr("%1 (not there any more)").arg(name));
+      const std::string there = recording::existingName(path.toStdString());  // also one that is still being recorded
+      QAction* action = menu.addAction(
+          QFileInfo::exists(QString::fromStdString(there)) ? name : tr("%1 (not there any more)").arg(name));
       action->setToolTip(path);
       connect(action, &QAction::triggered, this, [take, path] { take(path); });
     }

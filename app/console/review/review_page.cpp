@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/console/shell/curve_limits.h"
+#include "core/recording/file/recording_place.h"
 #include "core/recording/reader/recorded_profile.h"
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/number_text.h"
@@ -33,6 +34,14 @@ QString wholenessWords(const recording::RecordingInfo& info) {
   }
   if (info.gaps > 0) return ReviewPage::tr("%n sample(s) lost", nullptr, static_cast<int>(info.gaps));
   return info.header.missing.empty() ? ReviewPage::tr("whole") : ReviewPage::tr("parts missing");
+}
+
+/// By which it is found now and later: one that is being recorded loses its ".partial" when it is closed.
+QString lastingName(const QString& path, const recording::RecordingInfo& info) {
+  const std::string whole = recording::wholeOf(path.toStdString());
+  const bool loses =
+      info.wholeness == recording::Wholeness::growing && !QFileInfo::exists(QString::fromStdString(whole));
+  return loses ? QString::fromStdString(whole) : path;
 }
 
 bool canBeRecovered(const recording::RecordingInfo& info) {
@@ -268,12 +277,12 @@ bool ReviewPage::open(const QString& path) {
     return false;
   }
   close();
-  recent_.add(path);
   recording_ = std::move(*opened);
-  shown_ = {.path = path, .id = recording_->info().header.id};
+  shown_ = {.path = lastingName(path, recording_->info()), .id = recording_->info().header.id};
+  recent_.add(shown_.path);
   exports_->setRecording(shown_);
-  curve_tools_->saver().setFolder(QFileInfo(path).absolutePath());
-  curve_tools_->saver().setStem(QFileInfo(path).completeBaseName() + tr(" curves"));
+  curve_tools_->saver().setFolder(QFileInfo(shown_.path).absolutePath());
+  curve_tools_->saver().setStem(QFileInfo(shown_.path).completeBaseName() + tr(" curves"));
   const double duration_s = recording_->info().duration_s;
   curves_->source().setSession(recording_.get());
   curves_->setDuration(duration_s);
