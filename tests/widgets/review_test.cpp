@@ -582,6 +582,23 @@ class ReviewTest : public QObject {
     QVERIFY(f.told().contains(QStringLiteral("All 4")));
   }
 
+  void aTrialEndsWithItsRecording() {
+    Fixture f;
+    QVERIFY(
+        f.window->trials()->plan({.conditions = {QStringLiteral("soft"), QStringLiteral("hard")}, .repetitions = 1}));
+    const auto key = [&] { QTest::keyClick(f.window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier); };
+    f.session->recorder = {.state = recording::RecorderState::recording, .path = "/a.h5"};
+    key();
+    QCOMPARE(f.session->notes.size(), std::size_t{1});
+    f.session->recorder.path = "/b.h5";
+    key();
+    QCOMPARE(f.session->notes.size(), std::size_t{2});
+    QVERIFY(f.session->notes.back().first == recording::NoteKind::trial_start);
+    key();
+    QVERIFY(f.session->notes.back().first == recording::NoteKind::trial_end);
+    QCOMPARE(f.session->notes.back().second, f.session->notes[1].second);
+  }
+
   void wrongWhatIfEntriesAreSaidInWords() {
     ReviewFixture f;
     f.openByPath();

@@ -41,10 +41,12 @@ void TrialRun::next() {
     context_.tell_about(kTrial, Severity::information, tr("No trials are planned: start with --trials soft,hard,…"));
     return;
   }
-  if (context_.session.recorderStatus().state != recording::RecorderState::recording) {
+  const recording::RecorderStatus recorder = context_.session.recorderStatus();
+  if (recorder.state != recording::RecorderState::recording) {
     context_.tell_about(kTrial, Severity::warning, tr("No trial was begun: nothing is being recorded. Ctrl+R starts."));
     return;
   }
+  if (under_way_ && recorder.path != recording_) under_way_ = false;  // it ended with its recording
   if (under_way_) {
     if (!mark(recording::NoteKind::trial_end, trials_[begun_ - 1])) return;
     under_way_ = false;
@@ -57,6 +59,7 @@ void TrialRun::next() {
   if (!mark(recording::NoteKind::trial_start, trial)) return;
   ++begun_;
   under_way_ = true;
+  recording_ = recorder.path;
   context_.tell_about(
       kTrial, Severity::information,
       tr("Trial %1 of %2: %3.").arg(trial.number).arg(trials_.size()).arg(QString::fromStdString(trial.condition)));

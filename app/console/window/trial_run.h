@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <string>
 #include <vector>
 
 #include "app/console/shell/command_registry.h"
@@ -22,7 +23,7 @@ class TrialRun : public QObject {
   /// @return an error for conditions or numbers that allow no order
   [[nodiscard]] Result<void> plan(const TrialWords& words);
   /// Ends the trial under way and begins the next. Nothing happens while nothing is recorded: a trial without its
-  /// marker would be lost.
+  /// marker would be lost. Of a trial whose recording has ended, the next recording says nothing.
   void next();
   [[nodiscard]] const std::vector<experiment::Trial>& trials() const { return trials_; }
   /// Trials begun so far.
@@ -36,6 +37,7 @@ class TrialRun : public QObject {
   std::vector<experiment::Trial> trials_;
   std::size_t begun_ = 0;
   bool under_way_ = false;
+  std::string recording_;  ///< into which the trial under way was begun
 };
 
 }  // namespace fyd::console
