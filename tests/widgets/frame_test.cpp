@@ -268,6 +268,26 @@ class FrameTest : public QObject {
     QVERIFY(f.session->stops > 0);
   }
 
+  void theButtonOfAnOldQuestionEndsNothingThatItDidNotName() {
+    Fixture f;
+    f.row("control.kp")->slider()->setValue(60);
+    f.window->commands().action(QStringLiteral("session.quit"))->trigger();
+    const auto quit = [&] {
+      const auto buttons = f.window->notices()->findChildren<QPushButton*>(QStringLiteral("quit_now"));
+      const auto shown = std::ranges::find_if(buttons, [](const QPushButton* each) { return each->isVisible(); });
+      QVERIFY(shown != buttons.end());
+      QTest::mouseClick(*shown, Qt::LeftButton);
+    };
+    f.session->recorder = {.state = recording::RecorderState::recording, .path = "a.h5"};
+    f.window->feed().pump();
+    quit();
+    QVERIFY(f.window->isVisible());
+    const QString asked = f.window->notices()->shownText();
+    QVERIFY2(asked.contains(QStringLiteral("recording is being written")), qPrintable(asked));
+    quit();
+    QVERIFY(!f.window->isVisible());
+  }
+
   void quittingNamesWhatIsChangedAndNotSavedAndTheQuestionGoesWithIt() {
     Fixture f;
     f.row("control.kp")->slider()->setValue(60);

@@ -11,7 +11,7 @@ namespace fyd::console {
 
 class Leaving {
  public:
-  /// @param leave closes the window without asking again
+  /// @param leave asks mayLeave anew, for more may have come to what the question named, and closes the window
   Leaving(widgets::NoticeStack& notices, std::function<void()> leave);
   /// @param unfinished what would end or be lost now, as phrases
   /// @return true when nothing would, or this was said before and nothing came to it since

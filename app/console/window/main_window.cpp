@@ -59,7 +59,7 @@ MainWindow::MainWindow(std::unique_ptr<Session> session, const QString& profile_
       panels_(*frame_->panelArea(), DockSet::Sharing::tabs),
       layouts_(new LayoutsDialog(
           memory_, [this] { return layoutNow(); }, this)),
-      leaving_(*notices(), [this] { close(); }) {
+      leaving_(*notices(), [this] { quit(); }) {
   setWindowTitle(tr("FYD Console"));
   setWindowIcon(widgets::icon(QStringLiteral("fyd-console")));
   setCentralWidget(frame_);
@@ -145,6 +145,10 @@ void MainWindow::openPanels(const QStringList& names) {
 void MainWindow::review(const QString& recording) {
   frame_->go(QStringLiteral("review"));
   reviewPage()->open(recording);
+}
+
+void MainWindow::quit() {
+  if (leaving_.mayLeave(unfinished())) close();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -237,9 +241,7 @@ void MainWindow::connectCommands() {
   on("session.stop", [this](bool) { stop(); });
   on("session.tare", [this](bool) { ask(pipeline::OperatorAction::tare); });
   on("session.save_profile", [this](bool) { tuning_.save(); });
-  on("session.quit", [this](bool) {
-    if (leaving_.mayLeave(unfinished())) close();
-  });
+  on("session.quit", [this](bool) { quit(); });
   on("session.arm", [this](bool) { leadToArm(); });
   connectToggle(commands_->action(QStringLiteral("view.log")), log_dock_);
   connectToggle(commands_->action(QStringLiteral("view.link")), link_);

@@ -121,6 +121,7 @@ class MainWindow : public QMainWindow {
   void recall();
   void remember();
   void stop();
+  void quit();
   void ask(pipeline::OperatorAction action);
   void takeSamples(std::span<const pipeline::TelemetrySample> samples);
   void takeNotice(const station::Notice& notice);
