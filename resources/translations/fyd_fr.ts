@@ -4944,8 +4944,8 @@ Pour commencer : %1</translation>
         <translation>L'enregistrement ne peut être rejoué exactement : le pas a donné un autre résultat la seconde fois. Les valeurs mesurées sont en sûreté. Signaler ce défaut avec le fichier.</translation>
     </message>
     <message>
-        <source>The recording did not close as it should. %1. What was written before is safe: it is repaired when the file is opened.</source>
-        <translation>L'enregistrement ne s'est pas fermé comme il faut. %1. Ce qui était écrit avant est en sûreté : réparé à l'ouverture du fichier.</translation>
+        <source>The recording did not close as it should. %1. What was written before is safe: Recover in Review makes it whole.</source>
+        <translation>L'enregistrement ne s'est pas fermé comme il faut. %1. Ce qui était écrit avant est en sûreté : Récupérer, dans Relecture, le rend entier.</translation>
     </message>
     <message>
         <source>The recording loses samples: the computer is too busy. What is written is safe; the gap is marked in the file. Close other programs.</source>

@@ -4944,8 +4944,8 @@ Per cominciare: %1</translation>
         <translation>La registrazione non si può rieseguire esattamente: la seconda volta il passo ha dato un altro risultato. I valori misurati sono al sicuro. Segnalare questo difetto con il file.</translation>
     </message>
     <message>
-        <source>The recording did not close as it should. %1. What was written before is safe: it is repaired when the file is opened.</source>
-        <translation>La registrazione non si è chiusa come doveva. %1. Ciò che era scritto prima è al sicuro: viene riparato quando si apre il file.</translation>
+        <source>The recording did not close as it should. %1. What was written before is safe: Recover in Review makes it whole.</source>
+        <translation>La registrazione non si è chiusa come doveva. %1. Ciò che era scritto prima è al sicuro: Recupera, in Revisione, lo rende intero.</translation>
     </message>
     <message>
         <source>The recording loses samples: the computer is too busy. What is written is safe; the gap is marked in the file. Close other programs.</source>

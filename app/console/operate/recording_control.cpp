@@ -153,8 +153,8 @@ void RecordingControl::stopped(const QString& file, const Result<void>& outcome)
   } else {
     context_.tell_about(
         kRecording, Severity::error,
-        tr("The recording did not close as it should. %1. What was written before is safe: it is repaired "
-           "when the file is opened.")
+        tr("The recording did not close as it should. %1. What was written before is safe: Recover in Review makes "
+           "it whole.")
             .arg(widgets::coreText(outcome.error().message)));
   }
   form_->suggest();
