@@ -123,6 +123,8 @@ Result<bool> LiveRecording::everySecond(Instant now) {
   if (!behind_) growth_.observe(now, writer_->bytes());  // the burst of pre-trigger data is not counted as growth
   const auto free = freeBytes(path_, writer_->bytes());
   if (!free) return tl::unexpected(free.error());
+  // Two looks at the file's entry: a removed one takes every write, and nobody would know until it is closed.
+  if (auto same = writer_->checkSafe(); !same) return tl::unexpected(same.error());
   const double left = static_cast<double>(*free) - options_.smallest_free_MB * kMB;
   const double bytes_per_s = growth_.bytes_per_s();
   minutes_left_ = bytes_per_s > 0.0 ? std::max(0.0, left) / bytes_per_s / 60.0 : pipeline::kNone;

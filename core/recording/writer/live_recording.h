@@ -35,8 +35,8 @@ class LiveRecording {
 
   /// Writes what waits: no more than a few steps and pictures at a time, so that a start does not starve other threads.
   [[nodiscard]] Result<void> write(const std::vector<Note>& notes);
-  /// Once a second: writes the link's row and measures the file's growth. @return false when the disk has too little
-  /// room left
+  /// Once a second: writes the link's row, measures the file's growth and looks whether the file is there still.
+  /// @return false when the disk has too little room left
   [[nodiscard]] Result<bool> everySecond(Instant now);
   /// Writes all that waits, and closes the file: it is whole when this returns without an error.
   [[nodiscard]] Result<void> close(const std::vector<Note>& notes);

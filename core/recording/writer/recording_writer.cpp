@@ -101,7 +101,7 @@ class Hdf5RecordingWriter final : public RecordingWriter {
     });
     if (closed) closed = unlocked([&] { storage_.dropJournal(); });
     if (closed) committed_steps_ = rowsOf(Table::telemetry);
-    if (closed && !safe()) closed = fail("{}: it is not the file any more that was written", partialOf(path_));
+    if (closed) closed = checkSafe();
     if (closed) closed = renameNew(partialOf(path_), path_);
     if (closed) closed = syncFolder(path_);
     over_ = closed ? say("the recording is closed") : closed.error().message;
@@ -111,6 +111,10 @@ class Hdf5RecordingWriter final : public RecordingWriter {
   std::uint64_t committedSteps() const override { return committed_steps_; }
   std::uint64_t bytes() const override { return storage_.bytes(); }
   bool safe() const override { return storage_.isStill(partialOf(path_)); }
+  Result<void> checkSafe() const override {
+    if (safe()) return {};
+    return fail("{}: it is not the file any more that was written", partialOf(path_));
+  }
 
  private:
   void begin(const RecordingHeader& header) {

@@ -46,6 +46,7 @@ class RecordingWriter {
   [[nodiscard]] virtual std::uint64_t bytes() const = 0;  ///< on disk
   /// Before `close`: FILE.partial is there still and as long as it was written; another program may do anything to it.
   [[nodiscard]] virtual bool safe() const = 0;
+  [[nodiscard]] virtual Result<void> checkSafe() const = 0;  ///< in words
 };
 
 /// RecordingWriter::create with other disk calls: for tests that simulate disk errors.
