@@ -44,6 +44,8 @@ Result<Wanted> wantedOf(const pipeline::Parameters& recorded, const std::vector<
   return out;
 }
 
+constexpr std::string_view kForceZero = "sensing.force_zero_N";  // a tare sets it
+
 /// RMS of the measured stiffness' distance from its target, while it is observable.
 struct StiffnessError {
   double squares = 0.0;
@@ -118,6 +120,9 @@ class Run {
     if (!recording::sameStep(record.telemetry, motors, outputs.telemetry, outputs.motors))
       note(record, motors, outputs, out);
     state_ = outputs.telemetry.state;
+    tared_ = tared_ || std::ranges::any_of(outputs.events, [](const pipeline::Event& event) {
+               return event.kind == pipeline::EventKind::tare_done;
+             });
     if (observer_) observer_(outputs.telemetry, record.telemetry);
     return {};
   }
@@ -153,6 +158,8 @@ class Run {
       if (command.action != pipeline::OperatorAction::target_by_hand) continue;
       if (outcome(parameter_refused, indexOf(pipeline::Pipeline::kHandTarget)) != nullptr) {
         command.value = pipeline::kNone;
+      } else if (isWanted(indexOf(pipeline::Pipeline::kHandTarget))) {
+        command.value = wanted_.parameters.step.hand_target_N_per_mm;  // it still switches to "by hand"
       }
     }
     const auto keys = inputs_.robot.commands;
@@ -202,6 +209,7 @@ class Run {
     for (const pipeline::ParameterChange& change : recorded) {
       if (!isWanted(change.index)) push(change);
     }
+    if (tared_ && putZeroBack()) tared_ = false;
     if (more > 0) {
       return fail(
           "{} parameters change with the first step, those of the recording included; a step takes at most {}: set "
@@ -218,6 +226,13 @@ class Run {
       (void)inputs_.commands.push({.action = pipeline::OperatorAction::arm});
     }
     return {};
+  }
+
+  /// @return false when the step takes no more changes: with the next one
+  [[nodiscard]] bool putZeroBack() {
+    const std::uint16_t zero = indexOf(kForceZero);
+    return !isWanted(zero) ||
+           inputs_.changes.push({.index = zero, .value = wanted_.parameters.sensing.load_cell.zero_N});
   }
 
   void note(const recording::StepRecord& record, const control::MotorCommand& motors, const pipeline::Outputs& outputs,
@@ -247,6 +262,7 @@ class Run {
   std::optional<ReplayPlant> plant_;
   pipeline::Inputs inputs_;
   pipeline::Inputs before_;  // as recorded, of the step before
+  bool tared_ = false;       // a recorded tare took a zero; one that is wanted is put back before the next reading
   pipeline::SafetyState state_ = pipeline::SafetyState::disconnected;
   std::uint64_t last_step_ = 0;
   StiffnessError recorded_error_;

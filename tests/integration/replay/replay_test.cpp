@@ -238,6 +238,52 @@ TEST_F(Replay, ARobotsKeyIsNotFollowedWhereItsParameterIsSet) {
   EXPECT_NEAR(set->first_difference_s, 1.0, 0.02);
 }
 
+TEST_F(Replay, ATargetByHandIsNotFollowedWhereItIsSetAndStillTakesTheTargetFromTheRobot) {
+  constexpr double kSet_N_per_mm = 0.71;
+  before_step = [this](pipeline::Inputs& in) {
+    if (steps == 500) (void)in.commands.push({.action = pipeline::OperatorAction::target_from_robot});
+    if (steps == 1000) {
+      (void)in.commands.push({.action = pipeline::OperatorAction::target_by_hand, .value = 0.55});
+    }
+  };
+  const auto recording = record(0.2, 2.0);
+  ASSERT_TRUE(recording);
+  EXPECT_TRUE(replay::replay(*recording, {})->identical);
+  pipeline::TelemetrySample last;
+  pipeline::TelemetrySample last_recorded;
+  const auto set =
+      replay::replay(*recording, {.settings = {fmt::format("pipeline.hand_target_N_per_mm={}", kSet_N_per_mm)}},
+                     [&](const auto& replayed, const auto& recorded) {
+                       last = replayed;
+                       last_recorded = recorded;
+                     });
+  ASSERT_TRUE(set) << set.error().text();
+  EXPECT_EQ(last_recorded.target_N_per_mm, 0.55);
+  EXPECT_EQ(last.target_N_per_mm, kSet_N_per_mm);
+}
+
+TEST_F(Replay, ATareLeavesAForceZeroThatIsSet) {
+  constexpr double kSet_N = 0.5;
+  constexpr double kNoise_N = 0.2;
+  options.finger = sim::FingerPath::constant(0.0, 0.0, 0.0);
+  before_step = [this](pipeline::Inputs& in) {
+    if (steps == 1000) (void)in.commands.push({.action = pipeline::OperatorAction::tare});
+  };
+  const auto recording = record(0.2, 8.0);
+  ASSERT_TRUE(recording);
+  EXPECT_TRUE(replay::replay(*recording, {})->identical);
+  const auto events = recording->events();
+  ASSERT_TRUE(events);
+  ASSERT_TRUE(
+      std::ranges::any_of(*events, [](const auto& row) { return row.event.kind == pipeline::EventKind::tare_done; }));
+  std::vector<double> forces_N;
+  const auto set = replay::replay(*recording, {.settings = {fmt::format("sensing.force_zero_N={}", kSet_N)}},
+                                  [&](const auto& replayed, const auto&) { forces_N.push_back(replayed.force_N); });
+  ASSERT_TRUE(set) << set.error().text();
+  EXPECT_NEAR(forces_N[990] + kSet_N, samples[990].force_N, 1e-9);
+  EXPECT_NEAR(forces_N.back(), forces_N[990], kNoise_N) << "of the tare it would be about 0 from there on";
+}
+
 TEST_F(Replay, ATargetByHandThatWasRefusedIsRefusedAgainAndOneThatWasTakenIsMarked) {
   for (const double target_N_per_mm : {100.0, -1.0}) {
     steps = 0;
