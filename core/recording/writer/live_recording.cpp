@@ -62,7 +62,7 @@ LiveRecording::LiveRecording(std::string path, RecordingHeader header, const Rec
       sources_(sources),
       writer_(std::move(writer)),
       written_until_(header_.started),
-      lost_told_(sources_.steps.lost()),
+      lost_told_(sources_.lost_before),
       next_second_(Clock::now()) {
   sources_.steps.history().readFromStart();
   sources_.pictures.readFrom(header_.started);

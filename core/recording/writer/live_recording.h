@@ -22,6 +22,7 @@ class LiveRecording {
     StepFollower& steps;
     PictureHistory& pictures;
     const StationSource& station;
+    std::uint64_t lost_before = 0;  ///< of `steps`, when the recording's first step was chosen
   };
 
   /// @param header without id and times

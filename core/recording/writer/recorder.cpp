@@ -255,12 +255,15 @@ Result<void> Recorder::Impl::open(const RecordingRequest& request) {
       .step_state = std::move(from.state),
       .version = FYD_VERSION,
       .lateness = description.lateness};
-  auto opened = LiveRecording::open(request.path, std::move(header), options,
-                                    {.steps = steps, .pictures = pictures.history(), .station = source}, disk);
+  // Before the file is made: while a slow disk makes it, the ring may overflow already.
+  const std::uint64_t lost_so_far = steps.lost();
+  auto opened = LiveRecording::open(
+      request.path, std::move(header), options,
+      {.steps = steps, .pictures = pictures.history(), .station = source, .lost_before = lost_so_far}, disk);
   if (!opened) return tl::unexpected(opened.error());
   live = std::move(*opened);
   now_recording = {.state = RecorderState::recording};
-  lost_before = steps.lost();
+  lost_before = lost_so_far;
   live->fillIn(now_recording);
   worked_since = Clock::now();
   work_before_s = threadWork_s();

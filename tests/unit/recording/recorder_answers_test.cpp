@@ -153,6 +153,27 @@ TEST_F(RecorderAnswers, NoStepIsLostToASlowDiskHoweverShortThePreTriggerIs) {
   }
 }
 
+TEST_F(RecorderAnswers, StepsLostWhileTheFileIsMadeAreShownAndStandInTheFile) {
+  Fed fed;
+  fed.pushAndWait(100);
+  fed.disk->shut();
+  Result<void> begun = fail("not answered");
+  std::thread other([&] { begun = fed.recorder.begin({.path = path}); });
+  const auto reached = comesTrue("the file to be made", [&] { return fed.disk->waits(); });
+  fed.push(20'000);  // more than the ring holds, and nobody takes them
+  fed.disk->open();
+  other.join();
+  ASSERT_TRUE(reached);
+  ASSERT_TRUE(begun) << refusal(begun);
+  ASSERT_TRUE(comesTrue("the loss to be shown", [&] { return fed.recorder.status().lost > 0; }));
+  const std::uint64_t lost = fed.recorder.status().lost;
+  ASSERT_TRUE(fed.recorder.end());
+  const auto made = Recording::open(path);
+  ASSERT_TRUE(made) << made.error().text();
+  EXPECT_EQ((*made)->info().gaps, lost) << "though no later step shows the gap";
+  EXPECT_EQ((*made)->info().committed_samples, 20'100U - lost);
+}
+
 TEST_F(RecorderAnswers, ANoteWhileTheFileIsClosedIsInItOrRefused) {
   Fed fed;
   ASSERT_TRUE(fed.recorder.begin({.path = path}));
