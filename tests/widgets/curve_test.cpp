@@ -1,4 +1,5 @@
 // The curves: nothing is lost by decimation, gaps stay gaps, following and panning, what the numerals say.
+#include <QSignalSpy>
 #include <cmath>
 #include <random>
 
@@ -211,6 +212,25 @@ class CurveTest : public QObject {
     QTest::mouseDClick(plot, Qt::LeftButton, {}, middle);
     QVERIFY(view.following());
     QCOMPARE(view.timeWindow().to_s(), view.buffer().lastTime_s());
+  }
+
+  void aClickOfAnUnsteadyHandDoesNotStopTheCurvesAndADoubleClickIsNoClick() {
+    widgets::CurveView view;
+    view.resize(800, 500);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view, kPatience_ms));
+    view.append(ramp(4000));
+    passTimers(kDrawn_ms);
+    QWidget* plot = view.strip(0)->findChild<QWidget*>();
+    const QPoint middle = plot->rect().center();
+    QSignalSpy clicked(view.strip(0), &widgets::CurveStrip::clicked);
+    QTest::mousePress(plot, Qt::LeftButton, {}, middle);
+    QTest::mouseMove(plot, middle + QPoint(1, 1));
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, middle + QPoint(1, 1));
+    QVERIFY(view.following());
+    QCOMPARE(clicked.size(), 1);
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, middle);  // the second of a double click: nothing was pressed
+    QCOMPARE(clicked.size(), 1);
   }
 
   void wheelZoomsAndBoxShowsWhatItEncloses() {

@@ -141,6 +141,7 @@ class CurveStrip : public QWidget {
   std::vector<double> cursor_values_;
   QRubberBand* band_ = nullptr;
   Qt::MouseButton button_ = Qt::NoButton;
+  bool dragged_ = false;  ///< the press became a drag
   QPointF last_;
   QPointF pressed_;
 };

@@ -10,7 +10,7 @@
 namespace fyd::widgets {
 namespace {
 
-constexpr int kStill_px = 3;  // a press that moves no farther is a click
+constexpr int kStill_px = 3;  // a press that never moves farther is a click
 
 }  // namespace
 
@@ -20,10 +20,19 @@ bool CurveStrip::press(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton && event.button() != Qt::RightButton) return false;
   button_ = event.button();
   last_ = pressed_ = event.position();
+  dragged_ = false;
   return true;
 }
 
 bool CurveStrip::move(const QMouseEvent& event) {
+  // A plot hidden while the button is down never sees it released.
+  if (!event.buttons().testFlag(button_)) {
+    button_ = Qt::NoButton;
+    band_->hide();
+  }
+  // The tremor of a hand that clicks would stop the curves.
+  if (!dragged_ && (event.position() - pressed_).manhattanLength() <= kStill_px) return button_ != Qt::NoButton;
+  dragged_ = true;
   if (button_ == Qt::LeftButton) {
     emit panned(timeAt(event.position().x()) - timeAt(last_.x()));
     last_ = event.position();
@@ -35,12 +44,12 @@ bool CurveStrip::move(const QMouseEvent& event) {
 }
 
 bool CurveStrip::release(const QMouseEvent& event) {
+  if (button_ == Qt::NoButton || event.button() != button_) return true;  // as after a double click
   const bool box = button_ == Qt::RightButton && band_->isVisible();
   button_ = Qt::NoButton;
   band_->hide();
   const QRect rect = QRect(pressed_.toPoint(), event.position().toPoint()).normalized();
-  const bool still = std::max(rect.width(), rect.height()) <= kStill_px;
-  if (event.button() == Qt::LeftButton && still) emit clicked(std::min(0.0, timeAt(event.position().x())));
+  if (event.button() == Qt::LeftButton && !dragged_) emit clicked(std::min(0.0, timeAt(event.position().x())));
   if (box && rect.width() > 4 && rect.height() > 4) {
     fixRange({plot_->yAxis->pixelToCoord(rect.bottom()), plot_->yAxis->pixelToCoord(rect.top())});
     emit boxed(timeAt(rect.left()), std::min(0.0, timeAt(rect.right())));
