@@ -247,6 +247,16 @@ class CurveTest : public QObject {
     QApplication::sendEvent(plot, &wheel);
     QVERIFY(view.following());  // a closer look at the newest still follows
     QVERIFY(view.timeWindow().span_s() < 10.0);
+    const widgets::Range before = view.strip(0)->shownRange();
+    QWheelEvent stretch(middle, plot->mapToGlobal(middle), {}, QPoint(0, 120), Qt::NoButton, Qt::ControlModifier,
+                        Qt::NoScrollPhase, false);
+    QApplication::sendEvent(plot, &stretch);
+    const widgets::Range once = view.strip(0)->shownRange();
+    QApplication::sendEvent(plot, &stretch);  // before the next picture
+    const widgets::Range twice = view.strip(0)->shownRange();
+    QVERIFY(view.following());
+    QVERIFY(once.upper - once.lower < before.upper - before.lower);
+    QVERIFY(twice.upper - twice.lower < 0.9 * (once.upper - once.lower));
     QTest::mousePress(plot, Qt::RightButton, {}, QPoint(200, 10));
     QTest::mouseMove(plot, QPoint(300, 50));
     QTest::mouseRelease(plot, Qt::RightButton, {}, QPoint(300, 50));

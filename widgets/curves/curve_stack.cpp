@@ -47,6 +47,7 @@ void CurveStack::add(StripSetup setup) {
   connect(strip, &CurveStrip::boxed, this, [this, index](double from_s, double to_s) {
     change(index, [=](TimeWindow& window) { window.show(window.to_s() + from_s, window.to_s() + to_s); });
   });
+  connect(strip, &CurveStrip::stretched, this, &CurveStack::moved);
   connect(strip, &CurveStrip::clicked, this, [this, index](double at_s) { emit clicked(window(index).to_s() + at_s); });
   connect(strip, &CurveStrip::followAsked, this, &CurveStack::followAsked);
   strips_.push_back({std::move(setup), strip, readout, row});

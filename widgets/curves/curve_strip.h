@@ -96,6 +96,7 @@ class CurveStrip : public QWidget {
   void panned(double by_s);                    ///< > 0 towards the past
   void zoomed(double factor, double about_s);  ///< about_s counts from the right edge, ≤ 0
   void boxed(double from_s, double to_s);      ///< from the right edge, ≤ 0
+  void stretched();                            ///< vertically; time goes on as before
   void followAsked();
   void clicked(double at_s);  ///< without dragging; from the right edge, ≤ 0
 

@@ -11,6 +11,8 @@ namespace fyd::widgets {
 namespace {
 
 constexpr int kStill_px = 3;  // a press that never moves farther is a click
+constexpr double kLeastShare = 1e-9;  // of the largest number, a stretched range at least
+constexpr double kWidest = 1e12;
 
 }  // namespace
 
@@ -49,7 +51,8 @@ bool CurveStrip::release(const QMouseEvent& event) {
   button_ = Qt::NoButton;
   band_->hide();
   const QRect rect = QRect(pressed_.toPoint(), event.position().toPoint()).normalized();
-  if (event.button() == Qt::LeftButton && !dragged_) emit clicked(std::min(0.0, timeAt(event.position().x())));
+  if (event.button() == Qt::LeftButton && !dragged_)
+    emit clicked(std::clamp(timeAt(event.position().x()), plot_->xAxis->range().lower, 0.0));
   if (box && rect.width() > 4 && rect.height() > 4) {
     fixRange({plot_->yAxis->pixelToCoord(rect.bottom()), plot_->yAxis->pixelToCoord(rect.top())});
     emit boxed(timeAt(rect.left()), std::min(0.0, timeAt(rect.right())));
@@ -58,12 +61,20 @@ bool CurveStrip::release(const QMouseEvent& event) {
 }
 
 void CurveStrip::wheel(const QWheelEvent& event) {
+  if (event.angleDelta().y() == 0) return;  // a wheel turned sideways
   const double factor = std::pow(0.8, event.angleDelta().y() / 120.0);
   if (event.modifiers().testFlag(Qt::ControlModifier)) {
-    const Range shown{plot_->yAxis->range().lower, plot_->yAxis->range().upper};
-    const double about = plot_->yAxis->pixelToCoord(event.position().y());
-    fixRange({about + (shown.lower - about) * factor, about + (shown.upper - about) * factor});
-    emit panned(0.0);
+    // The axis shows the last picture; several notches may come before the next.
+    const Range shown = fixed_range_.value_or(Range{plot_->yAxis->range().lower, plot_->yAxis->range().upper});
+    const double share = 1.0 - (event.position().y() - plot_->axisRect()->top()) / plot_->axisRect()->height();
+    const double about = shown.lower + share * (shown.upper - shown.lower);
+    const Range next{about + (shown.lower - about) * factor, about + (shown.upper - about) * factor};
+    const double width = next.upper - next.lower;
+    const double largest = std::max(std::abs(next.lower), std::abs(next.upper));
+    // Numbers at the axis must still differ.
+    if (factor < 1.0 ? !(width > kLeastShare * largest) : !(width < kWidest)) return;
+    fixRange(next);
+    emit stretched();
   } else {
     emit zoomed(factor, std::min(0.0, timeAt(event.position().x())));
   }

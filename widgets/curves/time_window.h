@@ -1,6 +1,6 @@
 // The time interval that the curves show: following the newest sample, or fixed where the operator put it.
 //
-// Panning, zooming about another point than the newest, and pausing stop following; `follow` starts it again.
+// Panning, `show` and pausing stop following, zooming does not; `follow` starts it again.
 #pragma once
 
 namespace fyd::widgets {
@@ -28,7 +28,7 @@ class TimeWindow {
   void follow();
   /// @param by_s > 0 towards the past
   void pan(double by_s);
-  /// @param factor > 1 shows more time; the instant `about_s` stays where it is
+  /// @param factor > 1 shows more time; the instant `about_s` stays where it is, while following the newest one
   void zoom(double factor, double about_s);
   void show(double from_s, double to_s);
 
