@@ -20,7 +20,7 @@ inline const QString kNoValue = QStringLiteral("—");
 [[nodiscard]] QString ageText(double age_ms);
 /// A duration: "12 s", "3 min 05 s", "1 h 02 min".
 [[nodiscard]] QString durationText(double seconds);
-/// Shortest digits that read back as `value` in the way an operator writes them: "12", "0.62".
+/// At most 12 digits, without zeros at the end, in the way an operator writes them: "12", "0.62".
 [[nodiscard]] QString plainNumber(double value);
 /// Reads what an operator wrote; comma or point, minus or hyphen. @return NaN when it is no number
 [[nodiscard]] double readNumber(const QString& text);
