@@ -1,12 +1,18 @@
 #include "widgets/basics/time_field.h"
 
 #include <QToolTip>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/basics/number_text.h"
 #include "widgets/basics/theme.h"
 
 namespace fyd::widgets {
+namespace {
+
+constexpr double kRounded_s = 0.000501;  // the ends are named in milliseconds: what is named must be taken
+
+}  // namespace
 
 TimeField::TimeField(QWidget* parent) : QLineEdit(parent) {
   setObjectName(QStringLiteral("time_field"));
@@ -40,14 +46,14 @@ void TimeField::take() {
     say(tr("'%1' is no time; expected seconds, such as 83.5, or minutes and seconds, such as 1:23.5.").arg(text()));
   } else if (!std::isfinite(first_s) || !std::isfinite(last_s)) {
     say(tr("There are no values yet to go to."));
-  } else if (time_s < first_s || time_s > last_s) {
+  } else if (time_s < first_s - kRounded_s || time_s > last_s + kRounded_s) {
     say(tr("%1 s: there are values from %2 s to %3 s.")
             .arg(plainNumber(time_s), numberText(first_s, 3), numberText(last_s, 3)));
   } else {
     clear();
     say({});
     clearFocus();  // the keys belong to the curves again
-    emit asked(time_s);
+    emit asked(std::clamp(time_s, first_s, last_s));
   }
   if (!problem_.isEmpty()) selectAll();
 }
