@@ -622,6 +622,10 @@
         <translation>Accepté et écrit dans %1, mais la session continue sans : %2. Redémarrer la fenêtre pour l'utiliser.</translation>
     </message>
     <message>
+        <source>Accepted and written to %1, but the session is closed: %2. Choose devices under Devices.</source>
+        <translation>Accepté et écrit dans %1, mais la session est fermée : %2. Choisir des appareils sous Appareils.</translation>
+    </message>
+    <message>
         <source>Accepted and written to %1. The session has begun anew with it; motors stay off until you arm.</source>
         <translation>Accepté et écrit dans %1. La session a recommencé avec ; les moteurs restent coupés jusqu'à l'armement.</translation>
     </message>

@@ -622,6 +622,10 @@
         <translation>Accettato e scritto in %1, ma la sessione continua senza: %2. Riavviare la finestra per usarlo.</translation>
     </message>
     <message>
+        <source>Accepted and written to %1, but the session is closed: %2. Choose devices under Devices.</source>
+        <translation>Accettato e scritto in %1, ma la sessione è chiusa: %2. Scegliere i dispositivi in Dispositivi.</translation>
+    </message>
+    <message>
         <source>Accepted and written to %1. The session has begun anew with it; motors stay off until you arm.</source>
         <translation>Accettato e scritto in %1. La sessione è ricominciata con esso; i motori restano spenti finché non si arma.</translation>
     </message>

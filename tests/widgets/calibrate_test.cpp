@@ -744,6 +744,18 @@ class CalibrateTest : public QObject {
     QVERIFY2(c.page->hint().contains(QStringLiteral("not in force")), qPrintable(c.page->hint()));
   }
 
+  void aSessionThatCouldNotBeginAnewIsSaidToBeClosed() {
+    Calibrating c("load-cell");
+    c.click(c.page->simulateButton());
+    c.state(SafetyState::stopped);
+    c.session->refuses = c.session->loses_former = true;
+    c.click(c.page->acceptButton());
+    QString said;
+    for (int i = 0; i < c.window->notices()->count(); ++i) said += c.window->notices()->text(i);
+    QVERIFY2(said.contains(QStringLiteral("the session is closed")), qPrintable(said));
+    QVERIFY2(!said.contains(QStringLiteral("goes on")), qPrintable(said));
+  }
+
   /// Its presses are counts: how deep each is follows from the offsets and curves in force.
   void thePressesOnTheClothAreAsDeepAsTheOffsetsInForceSay() {
     Calibrating c("cloth");

@@ -120,7 +120,10 @@ class ScriptedSession : public console::Session {
   }
   Result<void> beginAnew(const station::Profile& wanted) override {
     ++begun_anew;
-    if (refuses) return fail("the station: refused by the script");
+    if (refuses) {
+      open = open && !loses_former;
+      return fail("the station: refused by the script");
+    }
     profile = wanted;
     return {};
   }
@@ -172,6 +175,7 @@ class ScriptedSession : public console::Session {
   double seconds = 0;
   bool takes_commands = true;
   bool refuses = false;
+  bool loses_former = false;  ///< a session that cannot be begun anew stays closed
   console::ConnectionWords present;
   std::vector<console::ConnectionWords> asked;
   mutable int checks = 0;  ///< choices that were asked about beforehand

@@ -131,6 +131,10 @@ Acceptance acceptCalibration(const PageContext& context, const calibration::Cali
                        tr("Accepted and written to %1. The session has begun anew with it; motors "
                           "stay off until you arm.")
                            .arg(file));
+  } else if (!session.isOpen()) {  // nor could the former one be had again
+    context.tell_about(kAccepting, Severity::error,
+                       tr("Accepted and written to %1, but the session is closed: %2. Choose devices under Devices.")
+                           .arg(file, widgets::coreText(begun.error().message)));
   } else {
     context.tell_about(kAccepting, Severity::error,
                        tr("Accepted and written to %1, but the session goes on without it: %2. Start the "
