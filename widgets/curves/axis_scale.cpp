@@ -91,6 +91,8 @@ void NumberTicker::generate(const QCPRange& range, const QLocale& locale, QChar 
     const double number = ticks[i] + at_zero_;
     if (std::abs(number) < kMost && decimals <= kMostDecimals) {
       (*labels)[i] = numberText(number, decimals) + unit_;
+    } else if (at_zero_ != 0.0) {
+      (*labels)[i] = plainNumber(number) + unit_;  // the label that there is counts from the axis' own zero
     } else {
       (*labels)[i] = (*labels)[i].replace(QLatin1Char('-'), QChar(0x2212)) + unit_;
     }
