@@ -110,6 +110,8 @@ class Catalogue(fyd.Case):
         self.json("session", "add", self.a, *self.word, "--json")
         self.assertEqual(self.ids("--text", "wet", "--tag", "pilot"), [id_])
         self.assertIn("no tag 'soft'", self.refused(1, "session", "tag", id_, "--remove", "soft", *self.word))
+        tags = self.json("session", "tag", id_, "--add", "Pilot", "--remove", "PILOT", *self.word, "--json")["tags"]
+        self.assertEqual(tags, ["Pilot"])
         self.json("session", "forget", id_, *self.word, "--json")
         self.assertEqual(self.ids(), [])
         self.assertTrue(os.path.exists(self.a))

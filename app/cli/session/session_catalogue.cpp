@@ -75,10 +75,12 @@ void runTag(const SessionCatalogueOptions& options) {
   catalogue::Catalogue catalogue = openCatalogue(options.catalogue, AbsentCatalogue::refused);
   const auto entry = entryFor(catalogue, options.target);
   std::set<std::string> tags(entry.tags.begin(), entry.tags.end());
-  tags.insert(options.add.begin(), options.add.end());
   for (const std::string& tag : options.remove) {
-    if (tags.erase(tag) == 0) throw Failure(say("session {}: has no tag '{}'", entry.id, tag));
+    const std::string folded = catalogue::foldCase(tag);  // as --tag finds it
+    const auto taken = std::erase_if(tags, [&](const std::string& has) { return catalogue::foldCase(has) == folded; });
+    if (taken == 0) throw Failure(say("session {}: has no tag '{}'", entry.id, tag));
   }
+  tags.insert(options.add.begin(), options.add.end());  // last, so that a tag's capitals can be changed
   valueOrFail(catalogue.setTags(entry.id, {tags.begin(), tags.end()}));
   const auto now = valueOrFail(catalogue.get(entry.id));
   if (options.json) {
