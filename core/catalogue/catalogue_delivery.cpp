@@ -45,14 +45,17 @@ Result<void> catalogueReview(const std::string& catalogue_word, const std::strin
   if (!found) return tl::unexpected(found.error());
   if (found->empty()) return {};
   const CatalogueEntry& entry = found->front();
-  if (change.note) {
-    if (auto ok = catalogue->setNotes(entry.id, withNote(entry.notes, *change.note)); !ok) return ok;
+  CatalogueEntry reviewed = entry;
+  if (change.note) {  // what is too long for the catalogue is cut, as when the recording is read
+    reviewed.notes = withNote(entry.notes, *change.note);
+    if (auto ok = catalogue->setNotes(entry.id, withFittingTexts(reviewed).notes); !ok) return ok;
   }
   if (change.tags_added.empty() && change.tags_removed.empty()) return {};
   std::set<std::string> tags(entry.tags.begin(), entry.tags.end());
   tags.insert(change.tags_added.begin(), change.tags_added.end());
   for (const std::string& tag : change.tags_removed) tags.erase(tag);
-  return catalogue->setTags(entry.id, {tags.begin(), tags.end()});
+  reviewed.tags.assign(tags.begin(), tags.end());
+  return catalogue->setTags(entry.id, withFittingTexts(reviewed).tags);
 }
 
 }  // namespace fyd::catalogue

@@ -157,6 +157,18 @@ TEST_F(SqliteCatalogue, WhatWaitsSaysItsWholenessInWordsAndTheNumbersOfEarlierQu
   }
 }
 
+TEST_F(SqliteCatalogue, AReviewsLongNoteIsCutAndItsTagsArrive) {
+  ASSERT_TRUE(Catalogue::open(word())->add(entryOf("aaaa")));
+  ReviewChange change{.tags_added = {"reviewed"}};
+  change.note.emplace();
+  change.note->text = std::string(std::size_t{2} << 20, 'x');
+  const auto entered = catalogueReview(word(), "aaaa", change);
+  ASSERT_TRUE(entered) << entered.error().text();
+  const auto entry = Catalogue::open(word())->get("aaaa");
+  EXPECT_TRUE(entry->notes.starts_with("first try\nxxx") && entry->notes.ends_with("…"));
+  EXPECT_THAT(entry->tags, testing::Contains("reviewed"));
+}
+
 TEST_F(SqliteCatalogue, ANewerOneIsRefused) {
   ASSERT_TRUE(Catalogue::open(word()));
   soci::session(soci::sqlite3, "dbname=" + path("sessions.sqlite")) << "UPDATE catalogue_version SET version = 99";
