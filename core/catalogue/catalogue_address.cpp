@@ -54,7 +54,8 @@ Result<CatalogueAddress> postgresql(std::string_view word) {
     out.target += fmt::format("{}={} ", key, asValue(option->val));
   }
   out.key = fmt::format("{}{}{}", kPostgresql, out.target, extra);
-  // A dead server or cable is noticed within 10 s, and below the wait for a lock is limited to 5 s.
+  // A dead computer or cable is noticed within 10 s; below, the server limits a request to 10 s and the wait for a lock
+  // to 5 s. Nothing bounds a server process that is frozen while its kernel acknowledges: libpq waits for its answer.
   constexpr std::pair<std::string_view, std::string_view> kDefaults[] = {
       {"connect_timeout", "5"}, {"keepalives_idle", "5"}, {"tcp_user_timeout", "10000"}, {"application_name", "fyd"}};
   for (const auto& [key, value] : kDefaults) {
