@@ -247,8 +247,12 @@ Result<StoredFile> storeClosed(const std::string& file, const std::string& folde
     entry->path = path;
     // Before the recording goes: a move that is interrupted after it cannot be repeated.
     if (fs::exists(notes, error)) {
-      if (auto copied = copyOnce(notes, fs::path(path).parent_path() / fs::path(notes).filename()); !copied) {
-        return tl::unexpected(copied.error());
+      const fs::path target = fs::path(path).parent_path() / fs::path(notes).filename();
+      if (auto copied = copyOnce(notes, target); !copied) {
+        if (!fs::exists(target, error)) return tl::unexpected(copied.error());
+        // Such as notes that were corrected after a move was interrupted: nobody but the user knows which hold.
+        return fail("{}; of {} and {}, move away the notes that are not needed", copied.error().message, notes,
+                    target.native());
       }
     }
     return catalogue ? catalogue->add(*entry) : Result<void>();

@@ -10400,6 +10400,10 @@ Pour commencer : %1</translation>
         <translation>{} ; et l'entrée ne peut pas attendre non plus : {}. L'enregistrement est en sûreté ; l'ajouter plus tard par `fyd session add {}`</translation>
     </message>
     <message>
+        <source>{}; of {} and {}, move away the notes that are not needed</source>
+        <translation>{} ; de {} et {}, déplacer ailleurs les notes dont on n'a pas besoin</translation>
+    </message>
+    <message>
         <source>{}; the damaged catalogue is {} now</source>
         <translation>{} ; le catalogue endommagé est maintenant {}</translation>
     </message>

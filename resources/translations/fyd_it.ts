@@ -10400,6 +10400,10 @@ Per cominciare: %1</translation>
         <translation>{}; e neppure la voce può attendere: {}. La registrazione è al sicuro; inserirla più tardi con `fyd session add {}`</translation>
     </message>
     <message>
+        <source>{}; of {} and {}, move away the notes that are not needed</source>
+        <translation>{}; tra {} e {}, spostare altrove le note che non servono</translation>
+    </message>
+    <message>
         <source>{}; the damaged catalogue is {} now</source>
         <translation>{}; il catalogo danneggiato ora è {}</translation>
     </message>
