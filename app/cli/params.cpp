@@ -70,9 +70,14 @@ void add_params(CLI::App& app) {
   command->add_option("id", options->id, "One parameter or one module, such as control.kp or control");
   options->profile.addTo(*command);
   command->add_option("--save", options->save, "Write the profile, complete and checked, to this file");
-  command->add_flag("--json", options->json, "As JSON");
-  command->add_flag("--markdown", options->markdown, "As the manual's table");
-  command->callback([options] {
+  auto* as_json = command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--markdown", options->markdown, "As the manual's table")->excludes(as_json);
+  command->callback([options, command] {
+    if (options->markdown && options->save.empty()) {  // a table of defaults says nothing of a profile
+      for (const char* values : {"--profile", "--set"}) {
+        if (command->count(values) > 0) throw CLI::ExcludesError("--markdown", values);
+      }
+    }
     station::Profile standard;
     const auto standards = bindParameters(standard);
     const auto places = placesOf(standards, options->id);  // before anything is written

@@ -97,6 +97,13 @@ class Usage(fyd.Case):
                     self.assertRegex(self.refused(2, *command, f"{option}={value}"),
                                      f"{option}: {value}: expected a number from [0-9.]+ to [0-9.e+]+")
 
+    def test_two_outputs_at_once_are_refused(self):
+        self.refused(2, "params", "--markdown", "--json")
+        self.refused(2, "sim", "touchpad", "--print-map", "--json")
+        self.assertIn("--set", self.refused(2, "params", "--markdown", "--set", "control.kp=0.25"))
+        saved = ("--save", self.path("p.toml"))
+        self.assertEqual(fyd.run("params", "--markdown", "--set", "control.kp=0.25", *saved).returncode, 0)
+
     def test_help_that_cannot_be_written_is_no_success(self):
         for words in (["--help"], ["--version"], ["session", "--help"], ["session", "list", "--help"]):
             with self.subTest(words=words), open("/dev/full", "w", encoding="utf-8") as full:

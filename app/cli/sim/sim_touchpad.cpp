@@ -130,8 +130,8 @@ void addSimTouchpad(CLI::App& sim) {
                                   fmt::join(sim::kTouchpadFaultNames, ", ")));
   command->add_option("--duration", options->duration_s, "Seconds to run; 0: until Ctrl-C")
       ->check(numberFrom(0.0, 1e9));
-  command->add_flag("--print-map", options->print_map, "Print the register map as Markdown and end");
-  command->add_flag("--json", options->json, "Summary as JSON");
+  auto* map = command->add_flag("--print-map", options->print_map, "Print the register map as Markdown and end");
+  command->add_flag("--json", options->json, "Summary as JSON")->excludes(map);
   command->callback([options] { runSimTouchpad(*options); });
 }
 
