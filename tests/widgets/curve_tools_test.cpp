@@ -384,6 +384,30 @@ class CurveToolsTest : public QObject {
     QVERIFY(f.tools->panel()->linkBox()->isChecked());
   }
 
+  void unlinkedCurvesFollowOnlyWhenEachDoes() {
+    CurveFixture f;
+    CurveStack* stack = f.curves->stack();
+    f.key(Qt::Key_T);
+    QVERIFY(f.curves->following());
+    QWidget* looked_back = f.curves->strip(0)->plot();
+    const QPoint from = looked_back->rect().center();
+    QTest::mousePress(looked_back, Qt::LeftButton, {}, from);
+    QTest::mouseMove(looked_back, from + QPoint(40, 0));
+    QTest::mouseRelease(looked_back, Qt::LeftButton, {}, from + QPoint(40, 0));
+    QVERIFY(!stack->window(0).following());
+    QVERIFY(!f.curves->following());
+    QWidget* plot = f.curves->strip(1)->plot();
+    const QPointF middle = plot->rect().center();
+    QWheelEvent wheel(middle, plot->mapToGlobal(middle), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(plot, &wheel);  // the one moved last follows
+    QVERIFY(stack->window(1).following());
+    QVERIFY(!f.curves->following());
+    f.key(Qt::Key_Space);
+    QVERIFY(stack->window(0).following());
+    QVERIFY(f.curves->following());
+  }
+
   void picturesAndValuesAreWrittenAndNothingIsWrittenOver() {
     CurveFixture f;
     f.key(Qt::Key_G, Qt::ControlModifier);

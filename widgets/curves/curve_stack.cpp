@@ -169,6 +169,13 @@ void CurveStack::holdRanges(bool hold) {
   emit moved();
 }
 
+bool CurveStack::following() const {
+  for (std::size_t i = 0; i < strips_.size(); ++i) {
+    if (shown(i) && !window(i).following()) return false;
+  }
+  return true;
+}
+
 bool CurveStack::rangesHeld() const {
   for (std::size_t i = 0; i < strips_.size(); ++i) {
     if (shown(i) && !strips_[i].strip->chosenRange()) return false;

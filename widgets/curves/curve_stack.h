@@ -60,6 +60,8 @@ class CurveStack : public QWidget {
   /// The common one while linked, else of the strip that was moved last.
   [[nodiscard]] const TimeWindow& window() const { return windows_[linked_ ? 0 : last_moved_]; }
   [[nodiscard]] const TimeWindow& window(std::size_t index) const { return windows_[linked_ ? 0 : index]; }
+  /// Whether every shown strip follows.
+  [[nodiscard]] bool following() const;
   /// Changes every strip's window, also while they are not linked.
   void forEachWindow(const std::function<void(TimeWindow&)>& change);
   /// The newest sample's time.

@@ -28,7 +28,7 @@ class CurveView : public QWidget {
   void append(std::span<const pipeline::TelemetrySample> samples);
   /// Another session begins: the curves, cursor and marks of the former one go, and the next sample is at 0 s.
   void restart();
-  [[nodiscard]] bool following() const { return stack_->window().following(); }
+  [[nodiscard]] bool following() const { return stack_->following(); }
   [[nodiscard]] const TimeWindow& timeWindow() const { return stack_->window(); }
   [[nodiscard]] const CurveBuffer& buffer() const { return buffer_; }
   [[nodiscard]] CurveStack* stack() const { return stack_; }

@@ -248,7 +248,7 @@ QString paintSceneScale(QPainter& painter, const SceneCamera& camera, QSizeF wid
   const double bar_mm = power * (most_mm >= 5.0 * power ? 5.0 : most_mm >= 2.0 * power ? 2.0 : 1.0);
   const double bar_px = bar_mm / camera.mmPerPixel();
   if (!std::isfinite(bar_px)) return {};
-  QString text = QStringLiteral("%1 mm").arg(QLocale::c().toString(bar_mm, 'g', 3));
+  QString text = QStringLiteral("%1 mm").arg(plainNumber(bar_mm));
   painter.setPen(QPen(theme().text, 2.0, Qt::SolidLine, Qt::FlatCap));
   painter.drawLine(corner, corner + QPointF(bar_px, 0));
   painter.setPen(QPen(theme().text, 1.0));
