@@ -2,30 +2,20 @@
 
 #include <soci/postgresql/soci-postgresql.h>
 #include <soci/sqlite3/soci-sqlite3.h>
-#include <sys/stat.h>
-#include <sys/vfs.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 
 #include "core/base/system_reason.h"
 #include "core/base/write_target.h"
+#include "core/recording/file/recording_place.h"
 
 namespace fyd::catalogue {
 namespace {
 
 constexpr int kBusy_ms = 5000;
-
-/// SQLite's write-ahead log needs memory shared by processes of one computer, so it does not work on a network share.
-bool isOnNetwork(const std::string& folder) {
-  struct statfs status {};
-  if (statfs(folder.c_str(), &status) != 0) return false;
-  constexpr std::array<std::uint32_t, 5> kNetwork = {0x6969, 0x517B, 0xFF534D42, 0xFE534D42, 0x564C};  // NFS, SMB…
-  return std::ranges::find(kNetwork, static_cast<std::uint32_t>(status.f_type)) != kNetwork.end();
-}
 
 Result<void> prepareFolder(const std::string& path) {
   namespace fs = std::filesystem;
@@ -38,8 +28,10 @@ Result<void> prepareFolder(const std::string& path) {
     fs::permissions(folder, fs::perms::owner_all, error);  // it holds subjects' codes: no access for others
   }
   if (!fs::is_directory(folder, error)) return fail("{}: {} is no folder", path, folder.native());
-  if (const auto target = writeTargetOf(path); !target) return tl::unexpected(target.error());
-  if (isOnNetwork(folder)) {
+  const auto target = writeTargetOf(path);
+  if (!target) return tl::unexpected(target.error());
+  // SQLite's write-ahead log needs memory shared by processes of one computer; it lies where a link leads to.
+  if (recording::networkShareOf(fs::path(target->path).parent_path())) {
     return fail("{}: on a network share, where SQLite would be damaged; use a local path, or postgresql:…", path);
   }
   return {};

@@ -89,6 +89,14 @@ std::string reviewNotesPath(const std::string& recording_path) {
   return only_named ? named : theirs;
 }
 
+const char* networkShareOf(const std::string& folder) {
+  struct statfs system {};
+  if (::statfs(folder.c_str(), &system) != 0) return nullptr;
+  for (const NetworkKind& kind : kNetwork)
+    if (static_cast<std::uint32_t>(system.f_type) == kind.magic) return kind.name;
+  return nullptr;
+}
+
 Result<void> checkPlace(const std::string& path) {
   const std::string folder = folderOf(path);
   struct stat status {};
@@ -96,10 +104,9 @@ Result<void> checkPlace(const std::string& path) {
   if (!S_ISDIR(status.st_mode)) return fail("{}: not a folder", folder);
   struct statfs system {};
   if (::statfs(folder.c_str(), &system) != 0) return fail("{}: the folder cannot be used: {}", folder, reasonOf(errno));
-  for (const NetworkKind& kind : kNetwork)
-    if (static_cast<std::uint32_t>(system.f_type) == kind.magic)
-      return fail("{}: lies on {}; a recording needs a local disk, whose promise to have written can be trusted",
-                  folder, kind.name);
+  if (const char* kind = networkShareOf(folder))
+    return fail("{}: lies on {}; a recording needs a local disk, whose promise to have written can be trusted", folder,
+                kind);
   for (const std::string& name : {path, partialOf(path)})
     if (::lstat(name.c_str(), &status) == 0) return fail("{}: exists; a recording never replaces a file", name);
   // They would become this recording's, and their tags would stand in place of its own.

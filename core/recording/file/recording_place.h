@@ -17,6 +17,8 @@ namespace fyd::recording {
 /// wrote FILE.partial.notes.json, and LINK.notes.json: that is it where only that is there.
 [[nodiscard]] std::string reviewNotesPath(const std::string& recording_path);
 
+/// The kind of network share that the folder lies on; nullptr: on none, or it cannot be asked.
+[[nodiscard]] const char* networkShareOf(const std::string& folder);
 /// @return an error when a recording cannot begin there: no folder, not writable, a network share, a name taken, or notes
 ///         of another recording that had this name
 [[nodiscard]] Result<void> checkPlace(const std::string& path);
