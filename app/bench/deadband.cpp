@@ -6,6 +6,7 @@
 
 #include "app/bench/parts/bench_options.h"
 #include "app/bench/parts/table.h"
+#include "app/cli/parts/command.h"
 #include "app/cli/parts/trace_file.h"
 #include "core/teleop/deadband.h"
 
@@ -72,7 +73,9 @@ Table bench_deadband() {
     }
   }
   forces = wholeOrFirst(forces, 2);
-  if (forces.empty()) table.notes.push_back(fmt::format("No recordings in {}.", (data / "teleop_1dof").string()));
+  if (forces.empty()) {
+    throw cli::Failure(verbatim(fmt::format("no recordings in {}", (data / "teleop_1dof").string())));
+  }
   for (const double fraction : {0.0, 0.05, 0.10, 0.20}) {
     for (const double loss : {0.0, 0.2}) {
       Saved saved;

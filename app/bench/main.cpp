@@ -92,6 +92,7 @@ void run(const Options& options) {
   // The page is of drawing in software, wherever it is made.
   if (options.all) ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
   benchOptions().out = options.out;
+  makeOut();
   isPageRun() = options.all;
   if (!options.cloth.empty()) benchCloths() = {cli::clothOf(options.cloth)};
   for (const Subject& subject : subjects()) {
@@ -103,6 +104,7 @@ void run(const Options& options) {
     if (options.all) std::cerr << fmt::format("{}: {:.1f} s\n", subject.name, since_s(begun));
     if (options.json) {
       json.push_back(toJson(table));
+      cli::printJson(json);  // each time: what was measured is not lost with a file that cannot be written
     } else {
       std::cout << (options.text ? toText(table) : toMarkdown(table)) << '\n' << std::flush;
     }
@@ -113,7 +115,6 @@ void run(const Options& options) {
     facts.push_back({"measuring took", fmt::format("{:.1f} min", since_s(start) / 60.0)});
     writeNumbersPage(tables, facts);
   }
-  if (options.json) cli::printJson(json);
 }
 
 }  // namespace

@@ -145,6 +145,7 @@ Table bench_predict() {
       "The perceptron of `default` has been trained on the finger's recordings of people 1 to 4 and the constants of "
       "`default` were chosen on all of these recordings; those of the paper's three were not. "
       "What `default` does on people it was not trained on is in the manual's leave-one-person-out figures.");
+  if (table.rows.empty()) throw cli::Failure(say("{}: no recordings in teleop_1dof or hand_motion", data.string()));
   if (!panels.empty()) {
     const CostAxes axes{.errors = {0.0, 0.5, 1.0, 1.5, 2.0}, .marked_error = 1.0, .unit = {}, .marked = "default"};
     writeBeside("predict.svg", errorAgainstCost(panels, axes));

@@ -85,6 +85,20 @@ class Bench(fyd.Case):
                 for name in failed:
                     self.assertTrue(any(each.startswith(name + " (FAILED: ") for each in names), names)
 
+    def test_a_folder_without_recordings_is_named(self):
+        for subject in ("predict", "deadband"):
+            self.assertIn(self.folder, self.refused(1, "bench", subject, "--quick", "--data", self.folder))
+
+    def test_where_it_is_to_write_is_judged_before_it_measures(self):
+        file = self.write("file", "")
+        self.assertIn(file, self.refused(1, "bench", "step", "--quick", "--out", file, "--json"))
+
+    def test_what_was_measured_is_printed_though_a_file_of_it_cannot_be_written(self):
+        os.makedirs(self.path("out/step.md"))
+        done = fyd.run("bench", "step", "--quick", "--out", self.path("out"), "--json")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertTrue(json.loads(done.stdout)["result"][0]["rows"])
+
     def test_what_does_not_go_together_is_refused(self):
         self.assertIn("--out", self.refused(2, "bench", "--all"))
         self.refused(2, "bench", "step", "--all", "--out", self.path("out"))

@@ -36,8 +36,9 @@ template <class List>
   return whole;
 }
 
-/// Writes into the folder of --out, which is created; does nothing without one. @throws Failure when it cannot be
-/// written
+/// Creates the folder of --out: before anything is measured. @throws Failure when nothing can be written there
+void makeOut();
+/// Writes into that folder; does nothing without one. @throws Failure when it cannot be written
 void writeBeside(const std::string& name, const std::string& text);
 
 }  // namespace fyd::bench
