@@ -395,6 +395,24 @@ class ReviewTest : public QObject {
     QCOMPARE(f.page->recent().paths().constFirst(), path);
   }
 
+  void inAHoleOfLostSamplesThereIsNoValue() {
+    ReviewFixture f;
+    const QString path = f.folder.filePath(QStringLiteral("hole.h5"));
+    auto writer = recording::RecordingWriter::create(
+        path.toStdString(), {.id = std::string(32, 'f'), .started = Instant(std::chrono::seconds(100))});
+    QVERIFY(writer);
+    for (std::uint64_t i = 0; i < kRows; ++i) {
+      if (i < 2000 || i >= 5000) QVERIFY((*writer)->append(row(i, kRows)));
+    }
+    QVERIFY((*writer)->close());
+    f.openByPath(path);
+    const auto& source = f.page->curves()->source();
+    for (const double at_s : {1.9995, 2.02, 5.0005, 6.02})
+      QVERIFY2(source.valueAt(0, at_s) > 1.9, qPrintable(QString::number(at_s)));
+    for (const double at_s : {2.1, 3.5, 4.9995, 6.1})
+      QVERIFY2(std::isnan(source.valueAt(0, at_s)), qPrintable(QString::number(at_s)));
+  }
+
   void aPictureThatCannotBeReadIsNotOneThatWasNotTaken() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("pictures.h5"));

@@ -7,6 +7,7 @@ namespace fyd::console {
 namespace {
 
 constexpr double kLongestStep_s = 0.05;  // a longer time between two samples is a hole
+constexpr std::size_t kTime = 0;         // of telemetryFields()
 
 }  // namespace
 
@@ -56,10 +57,16 @@ double ReviewSource::valueAt(std::size_t channel, double time_s) const {
   const recording::Recording& recording = *layers_[layer].recording;
   const double at_s = time_s - layers_[layer].later_by_s;
   const auto next = recording.rowAt(justAfter(at_s));
-  if (!next || *next == 0 || at_s > recording.info().duration_s + kLongestStep_s) return pipeline::kNone;
-  double value = pipeline::kNone;
-  if (auto read = recording.field(field, *next - 1, {&value, 1}); !read) problem_ = read.error().message;
-  return value;
+  if (!next || *next == 0) return pipeline::kNone;
+  double taken_s = pipeline::kNone, value = pipeline::kNone;  // of the last row before, in the clock's time
+  for (const auto& [wanted, into] : {std::pair(kTime, &taken_s), std::pair(field, &value)}) {
+    if (auto read = recording.field(wanted, *next - 1, {into, 1}); !read) {
+      problem_ = read.error().message;
+      return pipeline::kNone;
+    }
+  }
+  const double started_s = toSeconds(recording.info().header.started.time_since_epoch());
+  return at_s > taken_s - started_s + kLongestStep_s ? pipeline::kNone : value;
 }
 
 widgets::CurveRows ReviewSource::rows(std::span<const std::size_t> channels, double from_s, double to_s) const {
@@ -78,7 +85,6 @@ widgets::CurveRows ReviewSource::rows(std::span<const std::size_t> channels, dou
     if (!done) problem_ = done.error().message;
     return done.has_value();
   };
-  constexpr std::size_t kTime = 0;  // of telemetryFields()
   if (!read(kTime)) return out;
   const double started_s = toSeconds(recording->info().header.started.time_since_epoch());
   for (const double time_s : column) out.time_s.push_back(time_s - started_s + later_by_s);
