@@ -454,16 +454,16 @@
         <translation>--theme {} : attendu dark, light ou system</translation>
     </message>
     <message>
-        <source>--trial-repetitions: expected a whole number from 1</source>
-        <translation>--trial-repetitions : attendu un nombre entier à partir de 1</translation>
-    </message>
-    <message>
-        <source>--trial-seed: expected a whole number from 0</source>
-        <translation>--trial-seed : attendu un nombre entier à partir de 0</translation>
-    </message>
-    <message>
         <source>--trials: {}</source>
         <translation>--trials : {}</translation>
+    </message>
+    <message>
+        <source>--{} {}: expected a whole number from {} to {}</source>
+        <translation>--{} {} : attendu un nombre entier de {} à {}</translation>
+    </message>
+    <message>
+        <source>--{}: only with --trials</source>
+        <translation>--{} : seulement avec --trials</translation>
     </message>
     <message>
         <source>/commits: row {} counts backwards</source>

@@ -454,16 +454,16 @@
         <translation>--theme {}: atteso dark, light o system</translation>
     </message>
     <message>
-        <source>--trial-repetitions: expected a whole number from 1</source>
-        <translation>--trial-repetitions: atteso un numero intero da 1 in su</translation>
-    </message>
-    <message>
-        <source>--trial-seed: expected a whole number from 0</source>
-        <translation>--trial-seed: atteso un numero intero da 0 in su</translation>
-    </message>
-    <message>
         <source>--trials: {}</source>
         <translation>--trials: {}</translation>
+    </message>
+    <message>
+        <source>--{} {}: expected a whole number from {} to {}</source>
+        <translation>--{} {}: atteso un numero intero da {} a {}</translation>
+    </message>
+    <message>
+        <source>--{}: only with --trials</source>
+        <translation>--{}: solo con --trials</translation>
     </message>
     <message>
         <source>/commits: row {} counts backwards</source>

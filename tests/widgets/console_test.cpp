@@ -581,6 +581,11 @@ class ConsoleTest : public QObject {
           QStringList{QStringLiteral("--operator"), QStringLiteral("MM")},
           QStringList{QStringLiteral("--touchpad"), QStringLiteral("modbus-tcp:10.0.0.7:502"),
                       QStringLiteral("--simulate")},
+          QStringList{QStringLiteral("--trial-seed"), QStringLiteral("7")},
+          QStringList{QStringLiteral("--trial-repetitions"), QStringLiteral("4000000000"), QStringLiteral("--trials"),
+                      QStringLiteral("soft,hard")},
+          QStringList{QStringLiteral("--trial-seed"), QStringLiteral("-7"), QStringLiteral("--trials"),
+                      QStringLiteral("soft,hard")},
           QStringList{QStringLiteral("--nonsense")}, QStringList{QStringLiteral("stray")}}) {
       const auto options = console::readOptions(QStringList{program} + wrong, console::placeNames());
       QVERIFY(!options.has_value());
@@ -590,6 +595,17 @@ class ConsoleTest : public QObject {
     const auto options =
         console::readOptions({program, QStringLiteral("--theme"), QStringLiteral("light")}, console::placeNames());
     QVERIFY(options.has_value() && options->theme == widgets::ThemeChoice::light && !options->station.record);
+    const QString seed = QStringLiteral("18446744073709551615");
+    const auto trials = console::readOptions(
+        {program, QStringLiteral("--trials"), QStringLiteral("soft,hard"), QStringLiteral("--trial-seed"), seed},
+        console::placeNames());
+    QVERIFY2(trials.has_value(), trials ? "" : trials.error().text().c_str());
+    QCOMPARE(QString::number(trials->trials.seed), seed);
+    const auto wide = console::readOptions({program, QStringLiteral("--trials"), QStringLiteral("soft,hard"),
+                                            QStringLiteral("--trial-repetitions"), QStringLiteral("4000000000")},
+                                           console::placeNames());
+    const QString why = wide ? QString() : QString::fromStdString(wide.error().text());
+    QVERIFY2(why.contains(QStringLiteral("4000000000: expected a whole number from 1 to 1000")), qPrintable(why));
     const auto resolved = station::withProfileSources(options->station);
     QVERIFY(resolved.robot == "simulated" && resolved.touchpad == "simulated");
     const QString words = QStringLiteral(

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <algorithm>
+#include <limits>
 
 #include "app/console/shell/language.h"
 #include "core/catalogue/catalogue_address.h"
@@ -123,16 +124,24 @@ Result<TrialWords> readTrials(const QCommandLineParser& parser) {
   TrialWords words;
   const QString conditions = parser.value(QStringLiteral("trials"));
   if (!conditions.isEmpty()) words.conditions = conditions.split(QLatin1Char(','));
-  const auto whole = [&](const char* name, auto& into) {
+  const auto read = [&](const char* name, std::uint64_t least, std::uint64_t most, auto& into) -> Result<void> {
+    if (!parser.isSet(QLatin1String(name))) return {};
     const QString text = parser.value(QLatin1String(name));
-    if (text.isEmpty()) return true;
     bool good = false;
-    into = static_cast<std::remove_reference_t<decltype(into)>>(text.toUInt(&good));
-    return good;
+    const std::uint64_t value = text.toULongLong(&good);
+    if (!good || value < least || value > most) {
+      return fail("--{} {}: expected a whole number from {} to {}", name, text.toStdString(), least, most);
+    }
+    if (words.conditions.isEmpty()) return fail("--{}: only with --trials", name);
+    into = static_cast<std::remove_reference_t<decltype(into)>>(value);
+    return {};
   };
-  if (!whole("trial-repetitions", words.repetitions))
-    return fail("--trial-repetitions: expected a whole number from 1");
-  if (!whole("trial-seed", words.seed)) return fail("--trial-seed: expected a whole number from 0");
+  if (auto good = read("trial-repetitions", 1, experiment::kMaximumRepetitions, words.repetitions); !good) {
+    return tl::unexpected(good.error());
+  }
+  if (auto good = read("trial-seed", 0, std::numeric_limits<std::uint64_t>::max(), words.seed); !good) {
+    return tl::unexpected(good.error());
+  }
   if (words.conditions.isEmpty()) return words;
   std::vector<std::string> names;
   for (const QString& each : words.conditions) names.push_back(each.trimmed().toStdString());
