@@ -33,15 +33,14 @@ Message damageOf(const RecordingSource& source, const RecordingTables& tables, s
   return listed(std::move(out));
 }
 
-/// Steps that a recovery found gone. @return at most 2⁶⁴ − 1, whatever the file says
+}  // namespace
+
 std::uint64_t goneSteps(const RecordingHeader& header) {
   std::uint64_t sum = 0;
   for (const MissingRows& rows : header.missing)
     if (rows.table == layoutOf(Table::telemetry).path) sum = sum + rows.count < sum ? ~0ULL : sum + rows.count;
   return sum;
 }
-
-}  // namespace
 
 void judge(const RecordingSource& source, const RecordingTables& tables, RecordingInfo& info) {
   const CommitRow& last = tables.last();

@@ -12,4 +12,7 @@ namespace fyd::recording {
 /// Sets wholeness, damage, unproven_rows and what the commits count.
 void judge(const RecordingSource& source, const RecordingTables& tables, RecordingInfo& info);
 
+/// Steps that a recovery found gone. @return at most 2⁶⁴ − 1, whatever the file says
+[[nodiscard]] std::uint64_t goneSteps(const RecordingHeader& header);
+
 }  // namespace fyd::recording

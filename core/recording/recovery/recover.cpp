@@ -5,6 +5,7 @@
 
 #include "core/recording/file/recording_place.h"
 #include "core/recording/reader/recording_source.h"
+#include "core/recording/reader/recording_wholeness.h"
 #include "core/recording/recovery/recording_copy.h"
 #include "core/recording/recovery/recording_repair.h"
 #include "core/recording/recovery/verify.h"
@@ -115,21 +116,28 @@ Result<RecoverOutcome> copyWhatIsLeft(const DamagedRecording& from, const std::s
                         .first_damage = {}};
 }
 
+/// What an earlier recovery found lost, where this is the copy it made. Steps that the recorder itself lost are no damage.
+void tellOfACopy(const RecordingInfo& info, const std::string& target, RecoverOutcome& outcome) {
+  outcome.steps = info.committed_samples;
+  outcome.missing = info.header.missing;
+  outcome.lost_steps = goneSteps(info.header);
+  outcome.result = outcome.missing.empty() ? RecoverResult::whole : RecoverResult::part_lost;
+  if (const std::string kept = target + kKeptEnding; !outcome.missing.empty() && isThere(kept)) outcome.kept = kept;
+}
+
 /// An earlier recovery was killed between its two renamings: the copy is whole, but not yet under its name.
 Result<RecoverOutcome> nameLeftCopy(const std::string& target) {
   const std::string copy = target + kCopyEnding;
   if (!isThere(copy) || !isThere(target + kKeptEnding)) return fail("{}: there is no such file", target);
-  RecoverOutcome outcome{.result = RecoverResult::whole, .file = target, .kept = target + kKeptEnding};
+  RecoverOutcome outcome;
+  outcome.file = target;
   {
     const auto recording = Recording::open(copy);
     if (!recording) return tl::unexpected(recording.error());
     const RecordingInfo& info = (*recording)->info();
     if (info.wholeness != Wholeness::whole) return fail("{}: there is no such file", target);
-    outcome.steps = info.committed_samples;
-    outcome.lost_steps = info.gaps;
-    outcome.missing = info.header.missing;
+    tellOfACopy(info, target, outcome);
   }
-  if (outcome.lost_steps > 0 || !outcome.missing.empty()) outcome.result = RecoverResult::part_lost;
   if (auto named = giveName(copy, target); !named) return tl::unexpected(named.error());
   return outcome;
 }
@@ -155,7 +163,7 @@ Result<RecoverOutcome> recover(const std::string& path, const Progress& progress
     const auto recording = DamagedRecording::open(found);
     if (!recording) return nothing(recording.error());
     const RecordingInfo& info = (*recording)->info();
-    outcome.steps = info.committed_samples;
+    tellOfACopy(info, target, outcome);
     bool ended = false;
     const auto checked = verify(found, [&](double done) {
       ended = !tellProgress(progress, kChecked * done);
@@ -165,7 +173,6 @@ Result<RecoverOutcome> recover(const std::string& path, const Progress& progress
     const bool sound = checked && checked->intact();
     if (sound && info.wholeness == Wholeness::whole) {
       if (auto named = giveName(found, target); !named) return tl::unexpected(named.error());
-      outcome.result = RecoverResult::whole;
       outcome.file = target;
       return outcome;
     }
@@ -178,7 +185,6 @@ Result<RecoverOutcome> recover(const std::string& path, const Progress& progress
   if (auto told = tellProgress(progress, 1.0); !told) return tl::unexpected(told.error());
   if (auto finished = finishRecording(found); !finished) return tl::unexpected(finished.error());
   if (auto named = giveName(found, target); !named) return tl::unexpected(named.error());
-  outcome.result = RecoverResult::whole;
   outcome.file = target;
   return outcome;
 }

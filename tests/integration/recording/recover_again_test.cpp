@@ -116,6 +116,23 @@ TEST_F(RecoverAgain, AfterAKillBetweenItsTwoNames) {
   EXPECT_FALSE(recover(folder.file("other.h5")));
 }
 
+TEST_F(RecoverAgain, ACopyThatLacksSomethingIsNotCalledWholeTheNextTime) {
+  put(file, afterKill(disk->calls.size()));
+  damageChunk(file, "/telemetry", 2);
+  const auto first = recover(file);
+  ASSERT_TRUE(first) << first.error().text();
+  ASSERT_EQ(first->result, RecoverResult::part_lost);
+  const auto again = recover(file);
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(again->result, RecoverResult::part_lost);
+  EXPECT_EQ(again->steps, first->steps);
+  EXPECT_EQ(again->lost_steps, first->lost_steps);
+  EXPECT_EQ(again->missing, first->missing);
+  EXPECT_EQ(again->file, file);
+  EXPECT_EQ(again->kept, first->kept);
+  EXPECT_FALSE(std::filesystem::exists(first->kept + "-2")) << "nothing was copied again";
+}
+
 TEST_F(RecoverAgain, AfterAKillOverACopyTheLeftCopyGoes) {
   put(file, afterKill(disk->calls.size()));
   damageChunk(file, "/telemetry", 2);
