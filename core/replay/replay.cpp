@@ -323,7 +323,9 @@ Result<ReplayResult> replay(const recording::Recording& recording, const ReplayO
   const Instant start = Clock::now();
   if (auto ran = run.all(out); !ran) return tl::unexpected(ran.error());
   out.speed_x = out.duration_s / std::max(1e-9, toSeconds(Clock::now() - start));
-  out.identical = out.different == 0 && out.samples == out.of && out.gaps == 0 && out.why_not_exact.empty();
+  const bool all = out.samples == out.of && out.why_not_exact.empty();
+  out.identical = out.different == 0 && all && out.gaps == 0;
+  out.explained = out.tolerance && out.beyond_tolerance == 0 && all;
   return out;
 }
 

@@ -42,6 +42,7 @@ struct ReplayResult {
   /// may then differ.
   std::optional<pipeline::ArithmeticTolerance> tolerance;
   std::uint64_t beyond_tolerance = 0;  ///< of the different steps
+  bool explained = false;              ///< every recorded step was run, and none differs by more than the tolerance
   std::vector<std::string>
       out_of_range;  ///< parameters with a recorded or wanted value beyond today's range, which is used all the same
   std::uint64_t unknown_changes = 0;  ///< recorded changes of parameters or choices that this program does not know
