@@ -132,6 +132,19 @@ void runRobot(const RobotCliOptions& given) {
   runRobotEnd(given.end, options, std::move(arm), [fri] { return armJson(*fri); });
 }
 
+/// Options that a run like this one would take no notice of.
+void refuseUseless(const CLI::App& robot, const RobotCliOptions& given) {
+  const auto refuse = [&robot](const char* beside, std::initializer_list<const char*> useless) {
+    for (const char* option : useless) {
+      if (robot.count(option) > 0) throw CLI::ExcludesError(option, beside);
+    }
+  };
+  const bool kuka = given.scene.empty() && given.arm.starts_with(kKuka);
+  if (kuka) refuse("--arm kuka:HOST:PORT", {"--material", "--stiffness", "--seed"});
+  if (!given.scene.empty()) refuse("--scene", {"--material", "--stiffness", "--seed"});
+  if (given.no_probe) refuse("--no-probe", {"--probe-travel", "--probe-force", "--probe-dwell", "--probe-estimate"});
+}
+
 }  // namespace
 
 void add_robot(CLI::App& app) {
@@ -186,7 +199,10 @@ void add_robot(CLI::App& app) {
   robot->add_option("--speed-limit", options->limits.speed_mm_s, "mm/s")->capture_default_str();
   robot->add_option("--acceleration-limit", options->limits.acceleration_mm_s2, "mm/s²")->capture_default_str();
   robot->add_option("--jerk-limit", options->limits.jerk_mm_s3, "mm/s³")->capture_default_str();
-  robot->callback([options] { runRobot(*options); });
+  robot->callback([options, robot] {
+    refuseUseless(*robot, *options);
+    runRobot(*options);
+  });
 }
 
 }  // namespace fyd::cli

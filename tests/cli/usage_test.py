@@ -97,6 +97,15 @@ class Usage(fyd.Case):
                     self.assertRegex(self.refused(2, *command, f"{option}={value}"),
                                      f"{option}: {value}: expected a number from [0-9.]+ to [0-9.e+]+")
 
+    def test_what_a_robot_would_take_no_notice_of_is_refused(self):
+        robot = ("robot", "--connect", "127.0.0.1:1", "--duration", 0.1)
+        for words, named in ((("--arm", "kuka:127.0.0.1:0", "--stiffness", 3), "--stiffness"),
+                             (("--scene", "echography", "--material", "foam"), "--material"),
+                             (("--no-probe", "--probe-force", 3), "--probe-force"), (("--state-rate", 50), "--state-rate"),
+                             (("--link", "--key", "/nowhere/k", "--waits", "wired"), "--waits")):
+            with self.subTest(words=words):
+                self.assertIn(named, self.refused(2, *robot, *words))
+
     def test_two_outputs_at_once_are_refused(self):
         self.refused(2, "params", "--markdown", "--json")
         self.refused(2, "sim", "touchpad", "--print-map", "--json")

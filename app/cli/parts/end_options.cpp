@@ -128,10 +128,12 @@ class Teller {
 }  // namespace
 
 void addEndOptions(CLI::App& command, EndOptions& options) {
-  command.add_flag("--link", options.link, "Speak FYD Link (secured) in place of the classic protocol; needs --key");
+  auto* link = command.add_flag("--link", options.link,
+                                "Speak FYD Link (secured) in place of the classic protocol; needs --key");
   command.add_option("--key", options.key, "Key file of FYD Link");
   command.add_option("--state-rate", options.state_rate_Hz, "States a second to ask for over FYD Link")
       ->check(numberFrom(1.0, 1'000.0))
+      ->needs(link)
       ->capture_default_str();
   command.add_option("--connect", options.connect, "Touchpad to call, HOST:PORT")->required();
   command.add_option("--bind", options.bind, "Own address, HOST:PORT; port 0: any")->capture_default_str();
@@ -148,6 +150,7 @@ void addEndOptions(CLI::App& command, EndOptions& options) {
       .add_option("--waits", options.waits,
                   "For a reply: modern (100 ms, then on), wired (for ever) or wireless (1 s, twice), as the authors'")
       ->check(CLI::IsMember({"modern", "wired", "wireless"}))
+      ->excludes(link)
       ->capture_default_str();
   addRunOptions(command, options.duration_s, options.json, "Ctrl-C or command disconnect");
 }
