@@ -580,6 +580,36 @@ class ReviewTest : public QObject {
     QVERIFY(f.page->curves()->source().valueAt(force, 1.5) > 2.2);  // 2.5 s of its slope
   }
 
+  void theChosenTouchesAreThoseThatTheCurvesLieOn() {
+    ReviewFixture f;
+    const QString other = makeRecording(f.folder, QStringLiteral("other.h5"), 3000);
+    f.openByPath();
+    WAIT_EQUAL(f.page->touches()->rowCount(), 1);
+    console::ReviewComparison* comparison = f.page->comparison();
+    comparison->compare(other);
+    QComboBox *our = nullptr, *their = nullptr;
+    for (QComboBox* box : comparison->findChildren<QComboBox*>()) {
+      (box->accessibleName() == QStringLiteral("Align the other session at") ? their : our) = box;
+    }
+    WAIT_EQUAL(their->count(), 2);
+    their->setCurrentIndex(1);  // its time 3 s at this one's start
+    const std::size_t force = console::ReviewSource::channel(console::ReviewLayer::other, 0);
+    const auto drawn = [&] { return f.page->curves()->source().valueAt(force, 0.5); };
+    QCOMPARE(drawn(), 2.0);
+    const exports::Touch touch{.start_s = 2.0, .end_s = 4.0};
+    comparison->setTouches({touch, touch});  // found anew
+    QCOMPARE(their->currentIndex(), 1);
+    QCOMPARE(our->currentIndex(), 0);
+    QCOMPARE(drawn(), 2.0);
+    our->setCurrentIndex(2);
+    comparison->setTouches({});  // the touch is there no more
+    QCOMPARE(our->currentIndex(), 0);
+    QCOMPARE(drawn(), 2.0);
+    comparison->compare(other);
+    QVERIFY(our->currentIndex() == 0 && their->currentIndex() == 0);
+    QCOMPARE(drawn(), 0.5);
+  }
+
   void trialsAreBegunByAKeyAndMarkedWhileRecordingOnly() {
     ReviewFixture f;
     QVERIFY(!f.window->trials()->plan({.conditions = {QStringLiteral("soft"), QStringLiteral("soft")}}));

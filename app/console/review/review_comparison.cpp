@@ -87,6 +87,11 @@ void ReviewComparison::compare(const QString& path) {
     return;
   }
   other_touches_.clear();
+  for (QComboBox* box : {our_touch_, their_touch_}) {
+    const QSignalBlocker quiet(box);
+    box->setCurrentIndex(box->count() > 0 ? 0 : -1);  // another one is drawn from the start
+  }
+  fillChoices();
   emit otherChanged(opened->get(), 0.0);
   other_ = std::move(*opened);
   words_->setText(tr("Looking for its touches …"));
@@ -100,16 +105,20 @@ void ReviewComparison::compare(const QString& path) {
 }
 
 void ReviewComparison::fillChoices() {
+  const bool aligned = our_touch_->currentIndex() > 0 || their_touch_->currentIndex() > 0;
   const auto fill = [](QComboBox* box, const std::vector<exports::Touch>& touches) {
     const QSignalBlocker quiet(box);
+    const int chosen = box->currentIndex();
     box->clear();
     box->addItem(tr("from the start"));
     for (std::size_t i = 0; i < touches.size(); ++i) {
       box->addItem(tr("touch %1 at %2 s").arg(i + 1).arg(numberText(touches[i].start_s, 2)));
     }
+    if (chosen > 0 && chosen < box->count()) box->setCurrentIndex(chosen);
   };
   fill(our_touch_, touches_);
   fill(their_touch_, other_touches_);
+  if (aligned) alignAt(our_touch_->currentIndex() - 1, their_touch_->currentIndex() - 1);
 }
 
 void ReviewComparison::alignAt(int ours, int theirs) {
