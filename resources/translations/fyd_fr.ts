@@ -3932,8 +3932,8 @@ Appuyer pour lire pourquoi</translation>
         <translation>Enregistrement, rejoué</translation>
     </message>
     <message>
-        <source>Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)</source>
-        <translation>Enregistrements (*.h5 *.h5.partial *.h5.damaged);;Tous les fichiers (*)</translation>
+        <source>Recordings (*.h5 *.h5.partial *.h5.damaged*);;All files (*)</source>
+        <translation>Enregistrements (*.h5 *.h5.partial *.h5.damaged*);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Recordings (*.h5)</source>

@@ -3932,8 +3932,8 @@ Premere per leggere perché</translation>
         <translation>Registrazione, riprodotta</translation>
     </message>
     <message>
-        <source>Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)</source>
-        <translation>Registrazioni (*.h5 *.h5.partial *.h5.damaged);;Tutti i file (*)</translation>
+        <source>Recordings (*.h5 *.h5.partial *.h5.damaged*);;All files (*)</source>
+        <translation>Registrazioni (*.h5 *.h5.partial *.h5.damaged*);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Recordings (*.h5)</source>

@@ -529,6 +529,9 @@ class ReviewTest : public QObject {
     f.key(Qt::Key_O, Qt::ControlModifier);
     auto* dialog = f.window->findChild<QFileDialog*>(QStringLiteral("recording_dialog"));
     QVERIFY(dialog != nullptr && dialog->isVisible() && !dialog->isModal());
+    // What a mend sets aside, also the second time.
+    QVERIFY2(dialog->nameFilters().constFirst().contains(QStringLiteral("*.h5.damaged*")),
+             qPrintable(dialog->nameFilters().constFirst()));
     emit dialog->fileSelected(f.path);
     dialog->close();
     QVERIFY(!f.page->showsList());

@@ -24,7 +24,7 @@ QString droppedFile(const QDropEvent& event) {
 
 void askForRecording(QWidget* parent, const QString& title, const QString& folder, TakeFile take) {
   auto* dialog = new QFileDialog(parent, title, folder,
-                                 RecentRecordings::tr("Recordings (*.h5 *.h5.partial *.h5.damaged);;All files (*)"));
+                                 RecentRecordings::tr("Recordings (*.h5 *.h5.partial *.h5.damaged*);;All files (*)"));
   dialog->setObjectName(QStringLiteral("recording_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
