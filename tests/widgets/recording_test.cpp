@@ -284,6 +284,10 @@ class RecordingTest : public QObject {
     write(f.form->noteField(), QStringLiteral("  cloth  changed "));
     QTest::keyClick(f.form->noteField(), Qt::Key_Return);
     QTest::keyClick(f.form->noteField(), Qt::Key_Return);  // an empty line is no note
+    f.session->refuses = true;
+    write(f.form->noteField(), QStringLiteral("long words"));
+    QTest::keyClick(f.form->noteField(), Qt::Key_Return);
+    QCOMPARE(f.form->noteField()->text(), QStringLiteral("long words"));
     using Noted = std::pair<recording::NoteKind, std::string>;
     QCOMPARE(f.session->notes, (std::vector<Noted>{{recording::NoteKind::bookmark, "Marker 1"},
                                                    {recording::NoteKind::bookmark, "Marker 2"},

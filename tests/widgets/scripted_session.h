@@ -74,6 +74,7 @@ class ScriptedSession : public console::Session {
     return {};
   }
   Result<void> note(recording::NoteKind kind, const std::string& text) override {
+    if (refuses) return fail("the note: refused by the script");
     notes.emplace_back(kind, text);
     return {};
   }

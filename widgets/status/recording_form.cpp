@@ -213,7 +213,6 @@ void RecordingForm::sayNote() {
   const QString text = note_->text().simplified();
   if (text.isEmpty()) return;
   emit noteAsked(text);
-  note_->clear();
 }
 
 QWidget* RecordingForm::widgetOf(EntryProblem::Field field) const {

@@ -45,6 +45,7 @@ class RecordingForm : public QFrame {
  signals:
   void startAsked(const fyd::widgets::RecordingEntries& entries);
   void stopAsked();
+  /// Its field is to be cleared once it is written: words that were refused stay.
   void noteAsked(const QString& text);
 
  private:

@@ -204,6 +204,7 @@ void RecordingControl::note(const QString& words) {
     context_.tell(Severity::warning, widgets::coreText(kept.error().message));
     return;
   }
+  form_->noteField()->clear();
   context_.tell_about(kMark, Severity::information, tr("Note in the recording: %1").arg(words));
 }
 
