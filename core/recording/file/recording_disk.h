@@ -14,7 +14,6 @@
 #include <sys/types.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -48,8 +47,8 @@ class JournaledFile {
   void write(std::uint64_t at, std::span<const std::byte> bytes);
   /// Makes the file at least so long.
   void reach(std::uint64_t bytes);
-  /// In the place of an errno: another program has made the file shorter than it was written.
-  static constexpr int kShortened = ENODATA;
+  /// In the place of an errno, and none of them: another program has made the file shorter than it was written.
+  static constexpr int kShortened = -1;
   /// @return the errno of the first write, resize or sync that failed, or kShortened; nothing is committed from then on
   [[nodiscard]] int commit();
   /// Writes the content of an ended recorder's journal to its places in the file; the journal itself stays until the

@@ -83,6 +83,11 @@ TEST_F(RecorderOnATroubledDisk, ThatIsPulledOutKeepsWhatWasAcknowledged) {
   expectHonest("Input/output error");
 }
 
+TEST_F(RecorderOnATroubledDisk, ThatCannotReadItsMediumIsNotTakenForAnotherProgramsDeed) {
+  troubled->trouble = ENODATA;
+  expectHonest("No data available");
+}
+
 /// Another program does something to the file: it ends failed, and nothing is called whole or safe.
 class RecorderWhoseFileIsTouched : public RecorderOnATroubledDisk {
  protected:
