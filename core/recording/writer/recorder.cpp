@@ -196,8 +196,8 @@ void Recorder::Impl::run(const std::stop_token& stop) {
   }
   steps.take();
   pictures.take(steps.oldest());
-  if (!live) return;
-  if (const auto closed = close(); !closed) spdlog::error("Recording: {}", closed.error().text());
+  if (live) (void)close();  // what fails is logged, and stands in the status
+  publish();
 }
 
 void Recorder::Impl::write() {

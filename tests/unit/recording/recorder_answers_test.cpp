@@ -256,6 +256,8 @@ TEST_F(RecorderAnswers, ADiskThatFailsWhenTheProgramEndsLeavesWhatWasCommitted) 
   ASSERT_TRUE(comesTrue("300 written steps", [&] { return fed.recorder.status().samples == 300; }));
   fed.disk->trouble = EIO;
   fed.recorder.shutDown();
+  EXPECT_EQ(fed.recorder.status().state, RecorderState::failed);
+  EXPECT_THAT(fed.recorder.status().problem.text(), HasSubstr("Input/output error"));
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_EQ(committedIn(partialOf(path), Wholeness::crashed), 250U);
   const auto recovered = recover(path);
