@@ -1,4 +1,4 @@
-// A StepRecord without the empty places of its lists: about 0.9 KB instead of 4. The form in which a step travels from
+// A StepRecord without the empty places of its lists: about 0.8 KB instead of 4.6. The form in which a step travels from
 // the haptic loop to the recorder's thread and waits there until it is wanted.
 #pragma once
 

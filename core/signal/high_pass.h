@@ -16,7 +16,7 @@ inline constexpr double kHighestCorner = 0.49;  ///< of the sample rate
 /// @param corner_Hz is brought into 1e-6 … kHighestCorner of `sample_rate_Hz`
 [[nodiscard]] FYD_API BiquadCoefficients highPass(double corner_Hz, double sample_rate_Hz);
 
-/// As printed for 1 kHz [thesis §4.1.4]: Σb = 1e-4 leaves gravity a gain of +0.0039 (−48 dB); the passband
+/// As printed for 1 kHz [thesis §4.1.4]: Σb = 5e-4 leaves gravity a gain of +0.0039 (−48 dB); the passband
 /// is inverted (−0.998 at Nyquist); −3 dB at 0.0783 of the sample rate whatever that is.
 [[nodiscard]] constexpr BiquadCoefficients thesisHighPass() {
   return {.b0 = -0.7162, .b1 = 1.433, .b2 = -0.7163, .a1 = -1.372, .a2 = 0.4998};

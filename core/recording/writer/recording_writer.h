@@ -35,7 +35,7 @@ class RecordingWriter {
   [[nodiscard]] virtual Result<void> append(const EncodedPicture& picture) = 0;
   [[nodiscard]] virtual Result<void> append(const Note& note) = 0;
   [[nodiscard]] virtual Result<void> append(const LinkRow& row) = 0;
-  /// Steps the ring could not take; counted in the file's `gaps`.
+  /// Steps the ring could not take; they are `lost` in the file's /commits.
   virtual void countLost(std::uint64_t steps) = 0;
   /// Commits what there is now, a short block too.
   [[nodiscard]] virtual Result<void> commit() = 0;

@@ -39,7 +39,7 @@ class StepFollower {
   [[nodiscard]] std::uint64_t differences() const { return differences_; }
 
  private:
-  /// At least 2 s of steps whose every list is full, 9 s of usual ones.
+  /// At least 2 s of steps whose every list is full, 12 s of usual ones.
   static constexpr std::size_t kRingBytes = 2000 * kLargestPackedStep;
   /// Seconds that wait for a slow disk, however short the pre-trigger is.
   static constexpr std::size_t kLeastChunks = 32;
