@@ -1,6 +1,9 @@
 // Implements recording.h and recording_salvage.h over an HDF5 file.
 #include "core/recording/reader/recording.h"
 
+#include <set>
+#include <string_view>
+
 #include "core/recording/file/picture_decode.h"
 #include "core/recording/file/recording_header.h"
 #include "core/recording/file/recording_place.h"
@@ -189,9 +192,11 @@ class Hdf5Recording final : public DamagedRecording {
         info_.committed_samples == 0 ? 0.0 : secondsInto(info_, Instant(Duration(tables_->last().latest_ns)));
     info_.bytes = source_->bytes();
     info_.missing_columns = tables_->missingColumns();
+    std::set<std::string_view> named(info_.missing_columns.begin(), info_.missing_columns.end());
+    std::vector<std::string> more;  // apart: the names in the set stay where they are
     for (const std::string& column : info_.header.lacking)
-      if (std::ranges::find(info_.missing_columns, column) == info_.missing_columns.end())
-        info_.missing_columns.push_back(column);
+      if (named.insert(column).second) more.push_back(column);
+    info_.missing_columns.insert(info_.missing_columns.end(), more.begin(), more.end());
     info_.unknown_columns = tables_->unknownColumns();
   }
 

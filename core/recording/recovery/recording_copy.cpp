@@ -1,5 +1,8 @@
 #include "core/recording/recovery/recording_copy.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "core/recording/file/recording_header.h"
 
 namespace fyd::recording {
@@ -46,8 +49,13 @@ class Copy {
  public:
   Copy(const std::string& path, const DamagedRecording& from, RecordingWriter* to)
       : name_(path + ": "), from_(from), to_(to) {
-    for (const MissingRows& rows : from_.info().header.missing)
+    for (const MissingRows& rows : from_.info().header.missing) {
       if (rows.table == kHeaderTable) missing_.add(rows);
+      for (std::size_t i = 0; i < kTableCount; ++i)
+        if (rows.table == layoutOf(static_cast<Table>(i)).path) earlier_[i].push_back(&rows);
+    }
+    for (auto& entries : earlier_)
+      std::ranges::stable_sort(entries, {}, [](const MissingRows* rows) { return rows->first; });
   }
 
   Result<CopyOutcome> run(const Progress& progress) {
@@ -79,7 +87,7 @@ class Copy {
         if (auto put = to_->append(*record); !put) return put;
       ++outcome_.steps;
     }
-    carryOverRest(Table::telemetry, rows.committed, outcome_.steps);
+    carryOverRest(Table::telemetry, outcome_.steps);
     outcome_.lost_steps += rows.in_file - rows.committed;
     unproven(Table::telemetry, rows, outcome_.steps);
     return {};
@@ -92,9 +100,12 @@ class Copy {
         missing_.addPart(table, outcome_.steps, whyOf(table, row));
   }
 
-  [[nodiscard]] std::string whyOf(Table table, std::uint64_t row) const {
-    for (const MissingRows& rows : from_.info().header.missing)
-      if (rows.table == layoutOf(table).path && row >= rows.first && row - rows.first < rows.count) return rows.why;
+  [[nodiscard]] std::string whyOf(Table table, std::uint64_t row) {
+    const auto& entries = earlier_[indexOf(table)];
+    std::size_t& next = explained_[indexOf(table)];
+    while (next < entries.size() && row >= entries[next]->first && row - entries[next]->first >= entries[next]->count)
+      ++next;
+    if (next < entries.size() && row >= entries[next]->first) return entries[next]->why;
     return known_.why(table).text();
   }
 
@@ -123,7 +134,7 @@ class Copy {
       else
         missing_.addGone(table, copied, 1, withoutName(done.error().text()));
     }
-    carryOverRest(table, rows.committed, copied);
+    carryOverRest(table, copied);
     unproven(table, rows, copied);
   }
 
@@ -143,24 +154,27 @@ class Copy {
       missing_.addGone(table, copied, rows.in_file - rows.committed, "no sound commit proves them");
   }
 
-  /// What an earlier recovery lost before this row.
+  /// What an earlier recovery lost before this row, and not yet told.
   void carryOver(Table table, std::uint64_t row, std::uint64_t copied) {
-    for (const MissingRows& rows : from_.info().header.missing)
-      if (rows.first == row && rows.table == layoutOf(table).path)
-        missing_.addGone(table, copied, rows.count, rows.why);
+    const auto& entries = earlier_[indexOf(table)];
+    std::size_t& next = carried_[indexOf(table)];
+    for (; next < entries.size() && entries[next]->first <= row; ++next)
+      missing_.addGone(table, copied, entries[next]->count, entries[next]->why);
   }
 
   /// What it lost at the end, or behind what can be proven now.
-  void carryOverRest(Table table, std::uint64_t rows_read, std::uint64_t copied) {
-    for (const MissingRows& rows : from_.info().header.missing)
-      if (rows.first >= rows_read && rows.table == layoutOf(table).path)
-        missing_.addGone(table, copied, rows.count, rows.why);
+  void carryOverRest(Table table, std::uint64_t copied) {
+    carryOver(table, std::numeric_limits<std::uint64_t>::max(), copied);
   }
 
   std::string name_;  // what errors begin with
   const DamagedRecording& from_;
   RecordingWriter* to_;
   KnownDamage known_;
+  std::array<std::vector<const MissingRows*>, kTableCount> earlier_;  // of an earlier recovery, by row
+  // Rows come in order, and of entries there may be very many: those before these places are done with.
+  std::array<std::size_t, kTableCount> carried_{};
+  std::array<std::size_t, kTableCount> explained_{};
   MissingList missing_;
   CopyOutcome outcome_;
 };

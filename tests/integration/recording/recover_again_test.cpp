@@ -1,4 +1,6 @@
 // `recover` is killed or interrupted by a power cut: a second run completes it, and other programs open the file.
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "core/recording/file/recording_place.h"
@@ -131,6 +133,29 @@ TEST_F(RecoverAgain, ACopyThatLacksSomethingIsNotCalledWholeTheNextTime) {
   EXPECT_EQ(again->file, file);
   EXPECT_EQ(again->kept, first->kept);
   EXPECT_FALSE(std::filesystem::exists(first->kept + "-2")) << "nothing was copied again";
+}
+
+TEST_F(RecoverAgain, OfManyEarlierLossesEachIsNamedOnceAtItsPlace) {
+  RecordingHeader with_losses = header();
+  for (std::uint64_t row = kRows; row-- > 0;)  // in any order
+    with_losses.missing.push_back({"/telemetry", row, 1, fmt::format("before {}", row)});
+  {
+    auto writer = RecordingWriter::create(file, with_losses);
+    ASSERT_TRUE(writer);
+    for (std::uint64_t row = 0; row < kRows; ++row) ASSERT_TRUE((*writer)->append(plainStep(row)));
+    ASSERT_TRUE((*writer)->close());
+  }
+  damageChunk(file, "/telemetry", 2);
+  const auto outcome = recover(file);
+  ASSERT_TRUE(outcome) << outcome.error().text();
+  EXPECT_EQ(outcome->lost_steps, 250U);
+  std::map<std::string, std::vector<std::uint64_t>> places;
+  for (const MissingRows& rows : outcome->missing)
+    if (rows.why.starts_with("before ")) places[rows.why].push_back(rows.first);
+  for (std::uint64_t row = 0; row < kRows; ++row) {
+    const std::uint64_t now = row < 500 ? row : row < 750 ? 500 : row - 250;
+    EXPECT_EQ(places[fmt::format("before {}", row)], std::vector{now}) << row;
+  }
 }
 
 TEST_F(RecoverAgain, AfterAKillOverACopyTheLeftCopyGoes) {
