@@ -16,6 +16,9 @@
 
 namespace fyd::recording {
 
+/// Pictures to go back for a whole one, at most: the recorder writes one so often, the reader looks so far.
+inline constexpr std::uint64_t kFarthestWhole = 1'000;
+
 /// Rows that `recover` could not read of the original.
 struct MissingRows {
   std::string table;        ///< its path; "/header": the header's texts, of which any may be wrong

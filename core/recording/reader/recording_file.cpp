@@ -18,8 +18,6 @@
 namespace fyd::recording {
 namespace {
 
-constexpr std::uint64_t kFarthestWhole = 1'000;  // pictures to go back for a whole one
-
 class Hdf5Recording final : public DamagedRecording {
  public:
   Hdf5Recording(std::string path, bool damaged) : source_(std::make_unique<RecordingSource>(path)) {

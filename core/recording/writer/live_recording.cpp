@@ -109,7 +109,9 @@ Result<void> LiveRecording::write(std::size_t most_steps, std::size_t most_pictu
 bool LiveRecording::wholeIsDue(const HeldPicture& picture) {
   constexpr std::chrono::milliseconds kUnevenness{10};  // jitter of a camera's rate
   const Duration since = picture.taken - newest_whole_;
-  if (since > Duration::zero() && since + kUnevenness < fromSeconds(1.0 / options_.whole_pictures_Hz)) return false;
+  const bool soon = since > Duration::zero() && since + kUnevenness < fromSeconds(1.0 / options_.whole_pictures_Hz);
+  if (soon && ++without_whole_ <= kFarthestWhole) return false;
+  without_whole_ = 0;
   newest_whole_ = picture.taken;
   return true;
 }

@@ -41,8 +41,9 @@ class Live : public testing::Test {
     cv::randu(picture, 0, 255);
     pictures.add({.picture = picture, .region_px = {10, 5, 40, 30}, .taken = taken, .number = number});
   }
-  std::unique_ptr<LiveRecording> open(const std::string& path) {
-    auto opened = LiveRecording::open(path, {.started = begun}, {.smallest_free_MB = 10.0},
+  std::unique_ptr<LiveRecording> open(const std::string& path, double whole_pictures_Hz = 10.0) {
+    auto opened = LiveRecording::open(path, {.started = begun},
+                                      {.smallest_free_MB = 10.0, .whole_pictures_Hz = whole_pictures_Hz},
                                       {.steps = follower, .pictures = pictures, .station = station}, disk);
     EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
     return opened ? std::move(*opened) : nullptr;
@@ -116,6 +117,24 @@ TEST_F(Live, ADiskThatFailsWhileTheRestIsWrittenLeavesWhatWasCommitted) {
   const auto left = Recording::open(partialOf(path));
   ASSERT_TRUE(left) << left.error().text();
   EXPECT_EQ((*left)->info().committed_samples, 250U);
+}
+
+TEST_F(Live, OfAFastCameraNoPictureIsFartherFromAWholeOneThanAReaderLooks) {
+  pushAndTake(5000);
+  const auto live = open(path, 0.1);
+  ASSERT_TRUE(live);
+  while (follower.history().unread() > 0) ASSERT_TRUE(live->write({}));
+  constexpr std::uint64_t kMany = kFarthestWhole + 10;
+  for (std::uint64_t i = 0; i < kMany; ++i) offer(begun + std::chrono::milliseconds(1 + i), i);
+  ASSERT_TRUE(live->close({}));
+  const auto recording = Recording::open(path);
+  ASSERT_TRUE(recording) << recording.error().text();
+  ASSERT_EQ((*recording)->info().frames, kMany);
+  for (const std::uint64_t i : {kFarthestWhole, kFarthestWhole + 1, kMany - 1}) {
+    const auto picture = (*recording)->picture(i);
+    ASSERT_TRUE(picture) << picture.error().text();
+    EXPECT_FALSE(picture->whole.empty()) << i;
+  }
 }
 
 TEST_F(Live, PicturesOfOneInstantAndOlderOnesAreEachWhole) {
