@@ -10,7 +10,7 @@
 namespace fyd::widgets {
 namespace {
 
-constexpr int kStill_px = 3;  // a press that never moves farther is a click
+constexpr int kStill_px = 3;          // a press that never moves farther is a click
 constexpr double kLeastShare = 1e-9;  // of the largest number, a stretched range at least
 constexpr double kWidest = 1e12;
 

@@ -66,7 +66,7 @@ class LiveRecording {
   Instant written_until_{};
   Instant newest_whole_{};           // picture
   std::uint64_t without_whole_ = 0;  // pictures since it
-  bool behind_ = false;     // more steps wait than may be written in one turn
+  bool behind_ = false;              // more steps wait than may be written in one turn
   std::uint64_t samples_ = 0;
   std::uint64_t pictures_ = 0;
   std::uint64_t lost_told_ = 0;
