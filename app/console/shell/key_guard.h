@@ -1,7 +1,7 @@
 // Esc stops from everywhere: from a field, an open list, a menu, a dialog, in a drag. It is handled before any widget and
-// then passed on, so that it also closes what it usually closes. The stop button stops in a drag, too. The space bar goes to the control that has the focus before
-// it goes to the window's shortcut; one that is held down presses nothing anew. No dialog is the desktop's own, because
-// its keys do not come here.
+// then passed on, so that it also closes what it usually closes. The stop button stops in a drag, too. The space bar goes
+// to the control that has the focus before it goes to the window's shortcut; one that is held down presses nothing anew.
+// No dialog is the desktop's own, because its keys do not come here.
 #pragma once
 
 #include <QApplication>
