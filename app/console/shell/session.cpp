@@ -10,7 +10,7 @@ namespace {
 class StationSession : public Session {
  public:
   StationSession(station::StationOptions options, std::unique_ptr<station::Station> station)
-      : options_(std::move(options)), station_(std::move(station)) {
+      : options_(std::move(options)), finger_csv_(options_.finger_csv), station_(std::move(station)) {
     options_.record.reset();  // used once, at the start: other devices do not start it again
   }
 
@@ -94,7 +94,7 @@ class StationSession : public Session {
     finger_ = path;
     if (station_) station_->playSimulatedFinger(path);
   }
-  std::string fingerFile() const override { return options_.finger_csv; }
+  std::string fingerFile() const override { return finger_csv_; }
   bool simulated() const override { return station_ && station_->simulated(); }
   std::shared_ptr<scene::SceneStage> scene() const override { return station_ ? station_->scene() : nullptr; }
 
@@ -116,6 +116,7 @@ class StationSession : public Session {
   void close();
 
   station::StationOptions options_;
+  std::string finger_csv_;                     // of the start: the simulated touchpad's; others have none
   std::optional<sim::FingerPath> finger_;      // set since the start
   std::unique_ptr<station::Station> station_;  // none: closed
   std::mutex stays_;                           // the station, while another thread waits for its recorder
@@ -172,7 +173,7 @@ std::function<Session::Arrival()> StationSession::leaveFor(const ConnectionWords
   way->options.robot = wanted.robot;
   way->options.key_file = wanted.key_file;
   way->options.profile.sources = wanted;  // "Save profile" keeps them
-  if (wanted.touchpad != station::kSimulated) way->options.finger_csv.clear();
+  way->options.finger_csv = wanted.touchpad == station::kSimulated ? finger_csv_ : std::string();
   return [this, way]() -> Arrival {
     if (way->leaving) way->leaving->shutDown();
     way->leaving.reset();  // its port and devices are free now
