@@ -62,6 +62,7 @@ LiveRecording::LiveRecording(std::string path, RecordingHeader header, const Rec
       sources_(sources),
       writer_(std::move(writer)),
       written_until_(header_.started),
+      committed_until_(header_.started),
       lost_told_(sources_.lost_before),
       next_second_(Clock::now()) {
   sources_.steps.history().readFromStart();
@@ -85,6 +86,7 @@ Result<void> LiveRecording::write(std::size_t most_steps, std::size_t most_pictu
     const Instant before = Clock::now();
     if (auto written = writer_->append(record_); !written) return written;
     if (writer_->committedSteps() != committed) {
+      committed_until_ = record_.inputs.now;
       if (commits_ms_.size() == kMostCommits) commits_ms_.erase(commits_ms_.begin());
       commits_ms_.push_back(toMilliseconds(Clock::now() - before));
     }
@@ -144,8 +146,6 @@ std::chrono::milliseconds LiveRecording::untilNextTurn() const {
   const std::chrono::milliseconds until_commit(kBlockSteps - samples_ % kBlockSteps + 1);
   return std::clamp(until_commit, kShortestTurn, kLongestTurn);
 }
-
-double LiveRecording::committed_s() const { return static_cast<double>(writer_->committedSteps()) * 1e-3; }
 
 void LiveRecording::fillIn(RecorderStatus& status) const {
   status.path = path_;

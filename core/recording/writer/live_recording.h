@@ -48,7 +48,8 @@ class LiveRecording {
   [[nodiscard]] std::chrono::milliseconds untilNextTurn() const;
   /// Fills in the figures of this recording; state and problem are set by the recorder.
   void fillIn(RecorderStatus& status) const;
-  [[nodiscard]] double committed_s() const;
+  /// The recording's time of its last committed step.
+  [[nodiscard]] double committed_s() const { return toSeconds(committed_until_ - header_.started); }
   [[nodiscard]] bool safe() const { return writer_->safe(); }
 
  private:
@@ -64,6 +65,7 @@ class LiveRecording {
   std::unique_ptr<RecordingWriter> writer_;
   StepRecord record_;  // scratch
   Instant written_until_{};
+  Instant committed_until_{};
   Instant newest_whole_{};           // picture
   std::uint64_t without_whole_ = 0;  // pictures since it
   bool behind_ = false;              // more steps wait than may be written in one turn
