@@ -10032,8 +10032,8 @@ Pour commencer : %1</translation>
         <translation>{} : l'appareil derrière le port a disparu ; le câble est-il branché ?</translation>
     </message>
     <message>
-        <source>{}: the disk does not answer; nothing is recorded</source>
-        <translation>{} : le disque ne répond pas ; rien n'est enregistré</translation>
+        <source>{}: the disk does not answer; a file that it still makes is closed at once</source>
+        <translation>{} : le disque ne répond pas ; un fichier qu'il crée encore est fermé aussitôt</translation>
     </message>
     <message>
         <source>{}: the disk does not answer; the file is closed when it does</source>

@@ -10032,8 +10032,8 @@ Per cominciare: %1</translation>
         <translation>{}: il dispositivo dietro la porta è sparito; il cavo è collegato?</translation>
     </message>
     <message>
-        <source>{}: the disk does not answer; nothing is recorded</source>
-        <translation>{}: il disco non risponde; nulla viene registrato</translation>
+        <source>{}: the disk does not answer; a file that it still makes is closed at once</source>
+        <translation>{}: il disco non risponde; un file che crea ancora viene chiuso subito</translation>
     </message>
     <message>
         <source>{}: the disk does not answer; the file is closed when it does</source>

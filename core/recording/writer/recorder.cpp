@@ -27,7 +27,7 @@ double threadWork_s() {
 /// What `begin` and `end` wait for.
 struct Answer {
   bool done = false;
-  bool abandoned = false;  ///< the caller's wait timed out: what was begun is undone
+  bool abandoned = false;  ///< the caller's wait timed out: what was begun is ended at once
   Result<void> result;
 };
 
@@ -138,7 +138,7 @@ Result<void> Recorder::begin(const RecordingRequest& request) {
   impl_->asked_for.notify_one();
   if (!impl_->answered.wait_for(lock, kLongestWait, [&] { return answer->done; })) {
     answer->abandoned = true;
-    return fail("{}: the disk does not answer; nothing is recorded", request.path);
+    return fail("{}: the disk does not answer; a file that it still makes is closed at once", request.path);
   }
   return answer->result;
 }

@@ -308,8 +308,8 @@ TEST_F(RecorderAnswers, ADiskThatDoesNotAnswerIsToldAndWhatItThenDoesIsPutInOrde
   for (std::thread& each : asking) each.join();
   fails.disk->trouble = EIO;
   for (const Fed* each : {&begins, &fails, &ends}) each->disk->open();
-  EXPECT_EQ(begun, path + ": the disk does not answer; nothing is recorded");
-  EXPECT_EQ(failed, failing + ": the disk does not answer; nothing is recorded");
+  EXPECT_EQ(begun, path + ": the disk does not answer; a file that it still makes is closed at once");
+  EXPECT_EQ(failed, failing + ": the disk does not answer; a file that it still makes is closed at once");
   for (const std::string& words : said)
     EXPECT_EQ(words, ended + ": the disk does not answer; the file is closed when it does");
 
