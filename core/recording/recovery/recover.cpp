@@ -116,7 +116,7 @@ Result<RecoverOutcome> copyWhatIsLeft(const DamagedRecording& from, const std::s
                         .first_damage = {}};
 }
 
-/// What an earlier recovery found lost, where this is the copy it made. Steps that the recorder itself lost are no damage.
+/// What an earlier recovery found lost, where this is the copy it made. Steps that the recorder lost are no damage.
 void tellOfACopy(const RecordingInfo& info, const std::string& target, RecoverOutcome& outcome) {
   outcome.steps = info.committed_samples;
   outcome.missing = info.header.missing;
