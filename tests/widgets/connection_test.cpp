@@ -463,6 +463,41 @@ class ConnectionTest : public QObject {
     }
   }
 
+  void theWheelOverAListScrollsAndWhatWasTypedForAKindStaysWithIt() {
+    Fixture f;
+    f.window->frame()->go(QStringLiteral("devices"));
+    widgets::ConnectionForm* form = devicesOf(f)->form();
+    const auto turnOver = [](QWidget* list, int by) {
+      const QPointF at = list->rect().center();
+      QWheelEvent wheel(at, list->mapToGlobal(at), {}, QPoint(0, by), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                        false);
+      QApplication::sendEvent(list, &wheel);
+    };
+    const QStringList ports = {QStringLiteral("/dev/ttyUSB0"), QStringLiteral("/dev/ttyUSB1")};
+    widgets::PartChoice* touchpad = form->touchpad();
+    const QString address = QStringLiteral("10.0.0.7:502");
+    enter(touchpad, kNetwork, address);
+    form->camera()->entry()->setFocus();
+    for (const int by : {120, -120, -120}) turnOver(touchpad->kind(), by);
+    QCOMPARE(touchpad->word(), QStringLiteral("modbus-tcp:") + address);
+    QVERIFY(!touchpad->kind()->hasFocus());
+    form->offer(ports, {});
+    form->motors()->setWord(QStringLiteral("qbmove:/dev/mine"));
+    for (const int by : {-120, 120}) turnOver(form->motors()->entry(), by);
+    QCOMPARE(form->motors()->word(), QStringLiteral("qbmove:/dev/mine"));
+    widgets::RobotForm robot;
+    turnOver(robot.kind(), -120);
+    QCOMPARE(robot.kind()->currentIndex(), 0);
+    // Where the focus is, the wheel chooses; and each kind has its own entry, which waits there.
+    touchpad->kind()->setFocus();
+    WAIT_FOR(touchpad->kind()->hasFocus());
+    form->offer(ports, {});
+    turnOver(touchpad->kind(), -120);
+    QCOMPARE(touchpad->word(), QStringLiteral("modbus-rtu:/dev/ttyUSB0"));
+    turnOver(touchpad->kind(), 120);
+    QCOMPARE(touchpad->word(), QStringLiteral("modbus-tcp:") + address);
+  }
+
   void whatASearchFoundGoesIntoTheForm() {
     Fixture f;
     console::DevicesPage* page = devicesOf(f);

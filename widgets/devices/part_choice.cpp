@@ -6,12 +6,14 @@
 #include <algorithm>
 
 #include "widgets/basics/theme.h"
+#include "widgets/basics/wheel_guard.h"
 
 namespace fyd::widgets {
 
 PartChoice::PartChoice(const QString& name, const QString& id, std::vector<SourceKind> kinds, QWidget* parent)
     : QWidget(parent),
       kinds_(std::move(kinds)),
+      entries_(kinds_.size()),
       kind_(new QComboBox(this)),
       entry_(new QComboBox(this)),
       browse_(new QToolButton(this)),
@@ -27,6 +29,7 @@ PartChoice::PartChoice(const QString& name, const QString& id, std::vector<Sourc
   for (QComboBox* each : {kind_, entry_}) {
     each->setMinimumContentsLength(16);
     each->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    guardFromWheel(each);
   }
   browse_->setText(tr("…"));
   browse_->setObjectName(id + QStringLiteral("_browse"));
@@ -46,12 +49,7 @@ PartChoice::PartChoice(const QString& name, const QString& id, std::vector<Sourc
   grid->addWidget(browse_, 2, 1);
   grid->addWidget(problem_, 3, 0, 1, 2);
 
-  connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
-    entry_->clearEditText();
-    showKind();
-    if (chosen().entry == SourceKind::Entry::found && !found_.isEmpty()) entry_->setEditText(found_.front());
-    emit changed();
-  });
+  connect(kind_, &QComboBox::currentIndexChanged, this, &PartChoice::takeKind);
   connect(entry_, &QComboBox::editTextChanged, this, [this] {
     setProblem({});
     emit changed();
@@ -97,6 +95,20 @@ void PartChoice::setProblem(const QString& why) {
 void PartChoice::takeFocus() {
   QWidget* to = entry_->isVisibleTo(this) ? entry_ : kind_;
   to->setFocus(Qt::OtherFocusReason);
+}
+
+/// Each kind has its own entry: who looks at another kind and comes back finds what was typed.
+void PartChoice::takeKind() {
+  entries_[shown_] = entry_->currentText();
+  shown_ = static_cast<std::size_t>(std::max(0, kind_->currentIndex()));
+  showKind();
+  QString entry = entries_[shown_];
+  if (entry.isEmpty() && chosen().entry == SourceKind::Entry::found && !found_.isEmpty()) entry = found_.front();
+  {
+    const QSignalBlocker quiet(entry_);
+    entry_->setEditText(entry);
+  }
+  emit changed();
 }
 
 void PartChoice::showKind() {

@@ -52,9 +52,12 @@ class PartChoice : public QWidget {
  private:
   [[nodiscard]] const SourceKind& chosen() const;
   void showKind();
+  void takeKind();
   void browse();
 
   std::vector<SourceKind> kinds_;
+  std::vector<QString> entries_;  ///< what stood in each kind's entry when another kind was chosen
+  std::size_t shown_ = 0;         ///< the kind whose entry is shown
   QStringList found_;
   QComboBox* kind_ = nullptr;
   QComboBox* entry_ = nullptr;

@@ -5,6 +5,7 @@
 
 #include "widgets/basics/icon.h"
 #include "widgets/basics/theme.h"
+#include "widgets/basics/wheel_guard.h"
 
 namespace fyd::widgets {
 namespace {
@@ -50,6 +51,7 @@ RobotForm::RobotForm(QWidget* parent)
   kind_->addItem(tr("Scene"));
   kind_->setMinimumContentsLength(16);
   kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  for (QComboBox* each : {kind_, predictor_}) guardFromWheel(each);
   predictor_->setObjectName(QStringLiteral("robot_predictor"));
   predictor_->setAccessibleName(predictor_label_->text());
   predictor_->setToolTip(tr("How the robot's end says where the finger is now; \"thesis\" follows late and smoothly."));

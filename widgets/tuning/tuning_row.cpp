@@ -7,6 +7,7 @@
 #include "widgets/basics/core_text.h"
 #include "widgets/basics/icon.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/basics/wheel_guard.h"
 #include "widgets/tuning/tuning_text.h"
 
 namespace fyd::widgets {
@@ -177,8 +178,7 @@ void TuningRow::buildNumber() {
   slider_->setProperty("quantity", quantity_ == Quantity::stiffness   ? "stiffness"
                                    : quantity_ == Quantity::vibration ? "vibration"
                                                                       : "");
-  slider_->setFocusPolicy(Qt::StrongFocus);
-  slider_->installEventFilter(this);
+  guardFromWheel(slider_);
   field_ = new QLineEdit(this);
   field_->setObjectName(id_ + QStringLiteral("_field"));
   field_->setAlignment(Qt::AlignRight);
@@ -195,8 +195,7 @@ void TuningRow::buildChoice() {
   const Parameter& info = parameter().info;
   const auto count = info.kind == ParameterKind::boolean ? std::size_t{2} : info.choices.size();
   for (std::size_t i = 0; i < count; ++i) choice_->addItem(valueText(info, static_cast<double>(i)));
-  choice_->setFocusPolicy(Qt::StrongFocus);
-  choice_->installEventFilter(this);
+  guardFromWheel(choice_);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
     if (const auto ok = model_.change(id_std_, index); !ok) {
       refresh();
@@ -339,11 +338,6 @@ void TuningRow::refreshMark() {
 }
 
 bool TuningRow::eventFilter(QObject* watched, QEvent* event) {
-  // The wheel scrolls the panel; it changes a value only where the operator has put the focus.
-  if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
-    event->ignore();
-    return true;
-  }
   // A field in which nothing was typed has nothing to take back: undo and redo are then of the values.
   if (watched == field_ && event->type() == QEvent::ShortcutOverride && !holdsAnEntry()) {
     const auto* key = static_cast<QKeyEvent*>(event);
