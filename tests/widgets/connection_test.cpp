@@ -527,6 +527,21 @@ class ConnectionTest : public QObject {
     QCOMPARE(page->form()->devices().camera, QStringLiteral("/dev/video3"));  // the only one found
   }
 
+  void whatIsWrongWithAPartStaysWhenASearchEnds() {
+    widgets::ConnectionForm form;
+    form.setDevices({.touchpad = QStringLiteral("modbus-rtu:/dev/ttyUSB4"),
+                     .motors = QStringLiteral("qbmove:/dev/ttyUSB5"),
+                     .camera = QStringLiteral("/dev/video9")});
+    const QString why = QStringLiteral("no such port");
+    for (widgets::PartChoice* part : {form.touchpad(), form.motors(), form.camera()}) part->setProblem(why);
+    form.offer({QStringLiteral("/dev/ttyUSB0")}, {QStringLiteral("/dev/video0")});
+    for (widgets::PartChoice* part : {form.touchpad(), form.motors(), form.camera()}) QCOMPARE(part->problem(), why);
+    QCOMPARE(form.devices().touchpad, QStringLiteral("modbus-rtu:/dev/ttyUSB4"));
+    QCOMPARE(form.touchpad()->entry()->count(), 1);  // offered it was
+    form.touchpad()->kind()->setCurrentIndex(kNetwork);
+    QCOMPARE(form.touchpad()->problem(), QString());  // it was said of another kind
+  }
+
   void missingDevicesOfLastTimeDoNotKeepTheWindowFromOpening() {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("gone.h5"));

@@ -83,6 +83,7 @@ QString PartChoice::missing() const {
 void PartChoice::offer(const QStringList& found) {
   found_ = found;
   const QString entered = entry_->currentText();
+  const QSignalBlocker quiet(entry_);  // nothing was entered: what is wrong with the part still is
   showKind();
   entry_->setEditText(entered);
 }
@@ -108,6 +109,7 @@ void PartChoice::takeKind() {
     const QSignalBlocker quiet(entry_);
     entry_->setEditText(entry);
   }
+  setProblem({});
   emit changed();
 }
 
@@ -122,7 +124,6 @@ void PartChoice::showKind() {
   entry_->setVisible(kind.entry != SourceKind::Entry::none);
   browse_->setVisible(kind.entry == SourceKind::Entry::file || kind.entry == SourceKind::Entry::folder);
   browse_->setAccessibleName(tr("%1: choose the file").arg(kind_->accessibleName()));
-  setProblem({});
 }
 
 void PartChoice::browse() {
