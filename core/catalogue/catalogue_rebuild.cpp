@@ -86,11 +86,11 @@ std::string nameAside(const std::string& path) {
 }
 
 /// A new catalogue that is removed again unless it got its name.
-struct Unfinished {
-  explicit Unfinished(std::string file) : path(std::move(file)) {}
-  Unfinished(const Unfinished&) = delete;
-  Unfinished& operator=(const Unfinished&) = delete;
-  ~Unfinished() {
+struct FreshCatalogue {
+  explicit FreshCatalogue(std::string file) : path(std::move(file)) {}
+  FreshCatalogue(const FreshCatalogue&) = delete;
+  FreshCatalogue& operator=(const FreshCatalogue&) = delete;
+  ~FreshCatalogue() {
     std::error_code ignored;
     for (const char* part : kParts) {
       if (!path.empty()) fs::remove(path + part, ignored);
@@ -103,7 +103,7 @@ struct Unfinished {
 /// until then leaves the damaged file where it is, and what waits for this catalogue finds their notes and tags there.
 /// @return where the damaged one is now
 Result<std::string> replaceDamaged(const std::string& path, const std::vector<CatalogueEntry>& rescued) {
-  Unfinished fresh(freeName(path + ".new"));
+  FreshCatalogue fresh(freeName(path + ".new"));
   const auto filled =
       Catalogue::open("sqlite:" + fresh.path).and_then([&](Catalogue catalogue) { return catalogue.add(rescued); });
   if (!filled) return tl::unexpected(filled.error());
