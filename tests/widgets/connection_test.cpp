@@ -6,6 +6,7 @@
 #include "tests/widgets/hands.h"
 #include "tests/widgets/suite.h"
 #include "widgets/devices/cable_text.h"
+#include "widgets/devices/device_text.h"
 
 namespace fyd::tests {
 
@@ -540,6 +541,26 @@ class ConnectionTest : public QObject {
     QCOMPARE(form.touchpad()->entry()->count(), 1);  // offered it was
     form.touchpad()->kind()->setCurrentIndex(kNetwork);
     QCOMPARE(form.touchpad()->problem(), QString());  // it was said of another kind
+  }
+
+  void aPathCopiedFromTheWindowIsTakenAsItIsRead() {
+    const QString path = QStringLiteral("/dev/serial/by-id/usb-FTDI_FT232R-port0");
+    const QString copied = widgets::breakable(path);
+    QVERIFY(copied != path);  // it has breaks, which nobody sees
+    widgets::ConnectionForm form;
+    form.setDevices({.touchpad = QStringLiteral("modbus-rtu:") + copied,
+                     .motors = QStringLiteral("qbmove:") + copied,
+                     .camera = copied});
+    QCOMPARE(form.devices().touchpad, QStringLiteral("modbus-rtu:") + path);
+    QCOMPARE(form.devices().motors, QStringLiteral("qbmove:") + path);
+    form.camera()->kind()->setCurrentIndex(kStream);
+    form.camera()->entry()->setEditText(copied);
+    QCOMPARE(form.devices().camera, path);
+    widgets::RobotForm robot;
+    robot.setRobot(QStringLiteral("scene:") + copied, {});
+    QCOMPARE(robot.robot(), QStringLiteral("scene:") + path);
+    robot.setRobot(QStringLiteral("link:127.0.0.1:3490"), copied);
+    QCOMPARE(robot.keyFile(), path);
   }
 
   void missingDevicesOfLastTimeDoNotKeepTheWindowFromOpening() {

@@ -6,6 +6,8 @@
 namespace fyd::widgets {
 namespace {
 
+constexpr QChar kBreak(u'\u200b');  // a line may break there; invisible
+
 QString unitText(const std::string& unit) {
   if (unit == "degC") return QStringLiteral("°C");
   if (unit == "deg") return QStringLiteral("°");
@@ -31,7 +33,10 @@ QString deviceValue(double number, const std::string& unit) {
 }
 
 QString breakable(QString path) {
-  return path.replace(QLatin1Char('/'), QStringLiteral("/\u200b")).replace(QLatin1Char('-'), QStringLiteral("-\u200b"));
+  for (const QChar after : {QLatin1Char('/'), QLatin1Char('-')}) path.replace(after, QString(after) + kBreak);
+  return path;
 }
+
+QString asEntered(QString text) { return text.remove(kBreak).trimmed(); }
 
 }  // namespace fyd::widgets

@@ -14,5 +14,8 @@ namespace fyd::widgets {
 [[nodiscard]] QString deviceValue(double number, const std::string& unit);
 /// A long path may break after each of its parts.
 [[nodiscard]] QString breakable(QString path);
+/// What was typed or pasted, without spaces around it, and without the invisible breaks of a `breakable` text that was
+/// copied.
+[[nodiscard]] QString asEntered(QString text);
 
 }  // namespace fyd::widgets

@@ -7,6 +7,7 @@
 
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wheel_guard.h"
+#include "widgets/devices/device_text.h"
 
 namespace fyd::widgets {
 
@@ -71,12 +72,12 @@ void PartChoice::setWord(const QString& word) {
 
 QString PartChoice::word() const {
   const SourceKind& kind = chosen();
-  return kind.entry == SourceKind::Entry::none ? kind.prefix : kind.prefix + entry_->currentText().trimmed();
+  return kind.entry == SourceKind::Entry::none ? kind.prefix : kind.prefix + asEntered(entry_->currentText());
 }
 
 QString PartChoice::missing() const {
   const SourceKind& kind = chosen();
-  const bool entered = kind.entry == SourceKind::Entry::none || !entry_->currentText().trimmed().isEmpty();
+  const bool entered = kind.entry == SourceKind::Entry::none || !asEntered(entry_->currentText()).isEmpty();
   return entered ? QString() : kind.missing;
 }
 
@@ -128,7 +129,7 @@ void PartChoice::showKind() {
 
 void PartChoice::browse() {
   const SourceKind& kind = chosen();
-  auto* dialog = new QFileDialog(this, kind.label, entry_->currentText(), kind.file_filter);
+  auto* dialog = new QFileDialog(this, kind.label, asEntered(entry_->currentText()), kind.file_filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(kind.entry == SourceKind::Entry::folder ? QFileDialog::Directory : QFileDialog::ExistingFile);
   dialog->setModal(false);  // nothing is modal while a device can move

@@ -6,6 +6,7 @@
 #include "widgets/basics/icon.h"
 #include "widgets/basics/theme.h"
 #include "widgets/basics/wheel_guard.h"
+#include "widgets/devices/device_text.h"
 
 namespace fyd::widgets {
 namespace {
@@ -149,11 +150,11 @@ QString RobotForm::robot() const {
   if (kind_->currentIndex() == simulated && predictor_->currentIndex() > 0) {
     return kPredictedPrefix + predictor_->currentText();
   }
-  if (kind_->currentIndex() == scene) return word + scene_->text().trimmed();
-  return word.endsWith(QLatin1Char(':')) ? word + address_->text().trimmed() : word;
+  if (kind_->currentIndex() == scene) return word + asEntered(scene_->text());
+  return word.endsWith(QLatin1Char(':')) ? word + asEntered(address_->text()) : word;
 }
 
-QString RobotForm::keyFile() const { return kind_->currentIndex() == link ? key_->text().trimmed() : QString(); }
+QString RobotForm::keyFile() const { return kind_->currentIndex() == link ? asEntered(key_->text()) : QString(); }
 
 void RobotForm::refresh() {
   const int kind = kind_->currentIndex();
@@ -173,9 +174,9 @@ void RobotForm::refresh() {
        {static_cast<QWidget*>(scene_label_), static_cast<QWidget*>(scene_), static_cast<QWidget*>(browse_scene_)}) {
     each->setVisible(kind == scene);
   }
-  const bool address_missing = by_network && address_->text().trimmed().isEmpty();
+  const bool address_missing = by_network && asEntered(address_->text()).isEmpty();
   const bool key_missing = by_key && keyFile().isEmpty();
-  const bool scene_missing = kind == scene && scene_->text().trimmed().isEmpty();
+  const bool scene_missing = kind == scene && asEntered(scene_->text()).isEmpty();
   for (QWidget* each :
        {static_cast<QWidget*>(kind_), static_cast<QWidget*>(scene_), static_cast<QWidget*>(browse_scene_)}) {
     each->setEnabled(work_.isEmpty());
@@ -201,7 +202,7 @@ void RobotForm::refresh() {
 }
 
 void RobotForm::chooseFile(const QString& title, const QString& filter, QLineEdit* into) {
-  auto* dialog = new QFileDialog(this, title, into->text(), filter);
+  auto* dialog = new QFileDialog(this, title, asEntered(into->text()), filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setModal(false);  // nothing is modal while a device can move
