@@ -471,6 +471,53 @@ class CurveToolsTest : public QObject {
     QVERIFY2(rise_px > 0.1 * inside.width() && rise_px < 0.3 * inside.width(), qPrintable(QString::number(rise_px)));
   }
 
+  void aPictureShowsALoneSampleAndTheWindowKeepsIt() {
+    CurveFixture f;
+    auto gaps = rise(1000, 4.0);
+    constexpr double kAlone_N = 1.5;
+    for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i].force_N = i == 500 ? kAlone_N : std::nan("");
+    f.curves->append(gaps);
+    for (std::size_t i = 1; i < f.curves->stack()->size(); ++i) f.curves->stack()->setShown(i, false);
+    f.curves->strip(0)->chooseRange(widgets::Range{1.0, 2.0});
+    f.curves->chooseSpan(5);
+    f.curves->redraw();
+    QApplication::processEvents();
+    f.curves->redraw();
+    widgets::CurveStrip& strip = *f.curves->strip(0);
+    const QCustomPlot& plot = *strip.plot();
+    const auto drawn = [&plot] {
+      std::vector<std::pair<double, double>> points;
+      for (const QCPGraphData& point : *plot.graph(0)->data()) points.emplace_back(point.key, point.value);
+      return points;
+    };
+    const auto before = drawn();
+    const auto alone = std::ranges::find_if(
+        before, [](const auto& point) { return point.first > -0.9 && std::isfinite(point.second); });
+    QVERIFY(alone != before.end());
+    QCOMPARE(alone->second, kAlone_N);
+    const double share = (alone->first - plot.xAxis->range().lower) / plot.xAxis->range().size();
+    QVERIFY(spikeOnScreen(strip, share, kAlone_N));
+    const QPointF at(plot.xAxis->coordToPixel(alone->first), plot.yAxis->coordToPixel(kAlone_N));
+    const auto svg = widgets::pictureOf(*f.curves->stack(), widgets::PictureKind::svg, QStringLiteral("alone"));
+    QVERIFY(svg.has_value());
+    const QRegularExpression lines(QStringLiteral("<polyline[^>]*points=\"([^\"]*)\""));
+    int dots = 0;
+    for (const auto& line : lines.globalMatch(QString::fromUtf8(*svg))) {
+      const QStringList points = line.captured(1).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+      dots += points.size() == 2 && std::ranges::all_of(points, [&at](const QString& point) {
+                const QPointF there(point.section(QLatin1Char(','), 0, 0).toDouble(),
+                                    point.section(QLatin1Char(','), 1, 1).toDouble());
+                return (there - at).manhattanLength() < 2.0;
+              });
+    }
+    QCOMPARE(dots, 1);
+    // A gap is no number, which equals nothing, itself neither.
+    QVERIFY(std::ranges::equal(drawn(), before, [](const auto& a, const auto& b) {
+      return a.first == b.first && (a.second == b.second || (std::isnan(a.second) && std::isnan(b.second)));
+    }));
+    QVERIFY(spikeOnScreen(strip, share, kAlone_N));
+  }
+
   void aPictureThatCannotBeWrittenIsToldWithItsPath() {
     CurveFixture f;
     f.tools->saver().setFolder(QStringLiteral("/proc/nothing"));
