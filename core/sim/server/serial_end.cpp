@@ -67,6 +67,9 @@ int openRaw(const char* name) {
 }  // namespace
 
 Result<PseudoTerminal> PseudoTerminal::open(const std::string& link) {
+  std::error_code problem;
+  // One that a killed simulator left leads nowhere, until the new terminal gets its number.
+  if (fs::is_symlink(link, problem) && !fs::exists(link, problem)) fs::remove(link, problem);
   auto master = openMaster(link);
   if (!master) return tl::unexpected(master.error());
   std::array<char, 64> name{};
@@ -74,8 +77,6 @@ Result<PseudoTerminal> PseudoTerminal::open(const std::string& link) {
     ::close(*master);
     return fail("{}: the pseudo-terminal has no name", link);
   }
-  std::error_code problem;
-  if (fs::is_symlink(link, problem) && !fs::exists(link, problem)) fs::remove(link, problem);
   fs::create_symlink(name.data(), link, problem);
   if (problem) {
     ::close(*master);
