@@ -3,8 +3,9 @@
 // The catalogue is an index that can be rebuilt from the recordings; only notes and tags changed here are stored
 // nowhere else. Nothing here deletes or changes a recording. Every change is one transaction.
 //
-// All calls may wait for a disk or a server (catalogue_address.cpp says for how long, and for what without end): never from the haptic
-// loop. A Catalogue belongs to one thread at a time; any number of them and of processes may be open at once.
+// All calls may wait for a disk or a server (catalogue_address.cpp says for how long, and for what without end): never
+// from the haptic loop. A Catalogue belongs to one thread at a time; any number of them and of processes may be open at
+// once.
 #pragma once
 
 #include <memory>

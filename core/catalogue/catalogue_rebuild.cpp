@@ -71,7 +71,7 @@ Result<void> renameDatabase(const std::string& from, const std::string& to) {
   for (const char* part : kParts) {
     if (!fs::exists(from + part, error)) continue;
     fs::rename(from + part, to + part, error);
-    if (error) return fail("{}{}: cannot be moved aside to {}: {}", from, part, to, systemReason(error));
+    if (error) return fail("{}{}: cannot be renamed to {}: {}", from, part, to, systemReason(error));
   }
   return {};
 }

@@ -27,8 +27,9 @@ struct Spectrogram {
   [[nodiscard]] std::vector<double> mean() const;
 };
 
-/// @param time_s of the samples, rising; the answer takes memory for all of their span. A segment that is `tolerance` longer or shorter than its samples at
-///               `rate_Hz` has a hole, and so has one with a value that is not finite
+/// @param time_s of the samples, rising; the answer takes memory for all of their span. A segment that is `tolerance`
+///               longer or shorter than its samples at `rate_Hz` has a hole, and so has one with a value that is not
+///               finite
 /// @param segment samples, ≥ 8. Fewer samples than that, or spans of unequal length, give no segments
 [[nodiscard]] Spectrogram spectrogram(std::span<const double> time_s, std::span<const float> signal, double rate_Hz,
                                       int segment, double tolerance = 0.05);

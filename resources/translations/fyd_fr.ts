@@ -10432,8 +10432,8 @@ Pour commencer : %1</translation>
         <translation>{} ; {} est intact jusqu'ici. Faire de la place ou choisir un autre disque</translation>
     </message>
     <message>
-        <source>{}{}: cannot be moved aside to {}: {}</source>
-        <translation>{}{} : ne peut pas être mis de côté vers {} : {}</translation>
+        <source>{}{}: cannot be renamed to {}: {}</source>
+        <translation>{}{} : ne peut pas être renommé en {} : {}</translation>
     </message>
     <message>
         <source>Δ %1</source>

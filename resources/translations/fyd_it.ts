@@ -10432,8 +10432,8 @@ Per cominciare: %1</translation>
         <translation>{}; {} è integro fin qui. Fare spazio o scegliere un altro disco</translation>
     </message>
     <message>
-        <source>{}{}: cannot be moved aside to {}: {}</source>
-        <translation>{}{}: non può essere spostato da parte in {}: {}</translation>
+        <source>{}{}: cannot be renamed to {}: {}</source>
+        <translation>{}{}: non può essere rinominato in {}: {}</translation>
     </message>
     <message>
         <source>Δ %1</source>

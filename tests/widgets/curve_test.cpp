@@ -3,9 +3,12 @@
 #include <cmath>
 #include <random>
 
+#include <qcustomplot.h>
+
 #include "tests/widgets/suite.h"
 #include "tests/widgets/wait.h"
 #include "widgets/basics/number_text.h"
+#include "widgets/curves/axis_scale.h"
 #include "widgets/curves/curve_buffer.h"
 #include "widgets/curves/curve_view.h"
 #include "widgets/curves/recent_value.h"
@@ -212,6 +215,26 @@ class CurveTest : public QObject {
     QTest::mouseDClick(plot, Qt::LeftButton, {}, middle);
     QVERIFY(view.following());
     QCOMPARE(view.timeWindow().to_s(), view.buffer().lastTime_s());
+  }
+
+  void theTimesOfASessionOfWeeksAreTheSessions() {
+    QCustomPlot plot;
+    plot.setViewport(QRect(0, 0, 900, 200));  // it is never shown
+    plot.xAxis->setRange(-10.0, 0.0);
+    plot.replot();
+    widgets::NumberTicker ticker(*plot.xAxis);
+    constexpr double kNow_s = 1'200'012.0;
+    ticker.setShown(kNow_s);
+    QVector<double> ticks;
+    QVector<QString> labels;
+    ticker.generate(plot.xAxis->range(), QLocale::c(), u'g', 6, ticks, nullptr, &labels);
+    int written = 0;
+    for (qsizetype i = 0; i < ticks.size(); ++i) {
+      if (labels[i].isEmpty()) continue;
+      QCOMPARE(widgets::readNumber(labels[i]), kNow_s + ticks[i]);
+      ++written;
+    }
+    QVERIFY(written >= 2);
   }
 
   void aClickOfAnUnsteadyHandDoesNotStopTheCurvesAndADoubleClickIsNoClick() {

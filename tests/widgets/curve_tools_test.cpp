@@ -2,6 +2,7 @@
 // pass and nothing grows.
 #include <QCheckBox>
 #include <QScrollArea>
+#include <QSignalSpy>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -17,6 +18,7 @@
 #include "widgets/basics/colour_scale.h"
 #include "widgets/basics/number_text.h"
 #include "widgets/basics/plot_labels.h"
+#include "widgets/basics/time_field.h"
 #include "widgets/curves/curve_catalogue.h"
 #include "widgets/curves/curve_picture.h"
 #include "widgets/curves/session_overview.h"
@@ -165,6 +167,29 @@ class CurveToolsTest : public QObject {
     f.key(Qt::Key_F);
     QVERIFY(f.curves->following());
     WAIT_EQUAL(f.curves->readout(0)->when(), QStringLiteral("live"));
+  }
+
+  void theEndsThatARefusalNamesCanBeGoneTo() {
+    widgets::TimeField field;
+    constexpr double kFirst_s = 0.2472, kLast_s = 61.2347;
+    field.setSpan([&] { return std::pair(kFirst_s, kLast_s); });
+    QSignalSpy asked(&field, &widgets::TimeField::asked);
+    field.setText(QStringLiteral("99"));
+    QTest::keyClick(&field, Qt::Key_Return);
+    QVERIFY(field.problem().contains(QStringLiteral("from 0.247 s to 61.235 s")));
+    for (const char* end : {"0.246", "61.236"}) {  // more than the rounding
+      field.setText(QString::fromUtf8(end));
+      QTest::keyClick(&field, Qt::Key_Return);
+      QCOMPARE(asked.count(), 0);
+    }
+    for (const char* end : {"0.247", "61.235"}) {
+      field.setText(QString::fromUtf8(end));
+      QTest::keyClick(&field, Qt::Key_Return);
+      QVERIFY2(field.problem().isEmpty(), end);
+    }
+    QCOMPARE(asked.count(), 2);
+    QCOMPARE(asked.at(0).first().toDouble(), kFirst_s);
+    QCOMPARE(asked.at(1).first().toDouble(), kLast_s);
   }
 
   void timesAreReadAsTheyAreWritten() {

@@ -137,6 +137,7 @@ Result<RecoverOutcome> nameLeftCopy(const std::string& target) {
     const RecordingInfo& info = (*recording)->info();
     if (info.wholeness != Wholeness::whole) return fail("{}: there is no such file", target);
     tellOfACopy(info, target, outcome);
+    outcome.kept = target + kKeptEnding;  // there it is, whatever the copy lacks
   }
   if (auto named = giveName(copy, target); !named) return tl::unexpected(named.error());
   return outcome;
