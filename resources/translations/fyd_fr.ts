@@ -82,6 +82,10 @@
         <translation>%1 à %2 s : %3</translation>
     </message>
     <message>
+        <source>%1 comes back at the next start: the file of the window's settings cannot be written.</source>
+        <translation>%1 revient au prochain démarrage : le fichier des réglages de la fenêtre ne peut être écrit.</translation>
+    </message>
+    <message>
         <source>%1 errors since the start</source>
         <translation>%1 erreurs depuis le démarrage</translation>
     </message>
@@ -4862,6 +4866,10 @@ Pour commencer : %1</translation>
     <message>
         <source>The language changes when the window is started again.</source>
         <translation>La langue change au prochain démarrage de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>The language stays: the file of the window's settings cannot be written.</source>
+        <translation>La langue reste la même : le fichier des réglages de la fenêtre ne peut être écrit.</translation>
     </message>
     <message>
         <source>The last calibration was made by this person.</source>

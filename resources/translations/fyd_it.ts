@@ -82,6 +82,10 @@
         <translation>%1 a %2 s: %3</translation>
     </message>
     <message>
+        <source>%1 comes back at the next start: the file of the window's settings cannot be written.</source>
+        <translation>%1 torna al prossimo avvio: il file delle impostazioni della finestra non può essere scritto.</translation>
+    </message>
+    <message>
         <source>%1 errors since the start</source>
         <translation>%1 errori dall'avvio</translation>
     </message>
@@ -4862,6 +4866,10 @@ Per cominciare: %1</translation>
     <message>
         <source>The language changes when the window is started again.</source>
         <translation>La lingua cambia al prossimo avvio della finestra.</translation>
+    </message>
+    <message>
+        <source>The language stays: the file of the window's settings cannot be written.</source>
+        <translation>La lingua resta la stessa: il file delle impostazioni della finestra non può essere scritto.</translation>
     </message>
     <message>
         <source>The last calibration was made by this person.</source>

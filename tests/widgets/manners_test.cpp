@@ -11,6 +11,7 @@
 #include "core/device/serial_port.h"
 #include "core/pipeline/parameters.h"
 #include "core/station/notice.h"
+#include "tests/files_of_at_most.h"
 #include "tests/widgets/look_check.h"
 #include "tests/widgets/reviewing.h"
 #include "tests/widgets/scripted_session.h"
@@ -351,6 +352,35 @@ class MannersTest : public QObject {
     window->frame()->go(QStringLiteral("operate"));
     QVERIFY(!camera->isChecked() && !window->operate()->camera()->isVisible());
     QVERIFY(window->commands().action(QStringLiteral("view.panel_tuning"))->isChecked());
+  }
+
+  void settingsThatCannotBeWrittenAreNotSaidToBeChanged() {
+    QTemporaryDir folder;
+    const auto window = windowWith(folder.filePath(QStringLiteral("window.ini")), folder);
+    window->show();
+    console::LayoutsDialog* dialog = window->layouts();
+    dialog->open();
+    dialog->field()->setText(QStringLiteral("wide"));
+    QTest::keyClick(dialog->field(), Qt::Key_Return);
+    QCOMPARE(dialog->list()->count(), 1);
+    const QString unwritten = QStringLiteral("the file of the window's settings cannot be written");
+    QAction* italian = window->commands().action(QStringLiteral("view.language_it"));
+    {
+      const FilesOfAtMost full(1);
+      dialog->list()->setCurrentRow(0);
+      QTest::mouseClick(dialog->deleteButton(), Qt::LeftButton);
+      QVERIFY2(dialog->words().contains(unwritten), qPrintable(dialog->words()));
+      italian->trigger();
+      QVERIFY2(window->notices()->shownText().contains(unwritten), qPrintable(window->notices()->shownText()));
+    }
+    dialog->field()->setText(QStringLiteral("narrow"));
+    QTest::keyClick(dialog->field(), Qt::Key_Return);
+    dialog->list()->setCurrentRow(0);
+    QTest::mouseClick(dialog->deleteButton(), Qt::LeftButton);
+    QVERIFY2(dialog->words().contains(QStringLiteral("narrow is deleted")), qPrintable(dialog->words()));
+    italian->trigger();
+    QVERIFY2(window->notices()->shownText().contains(QStringLiteral("started again")),
+             qPrintable(window->notices()->shownText()));
   }
 
   void theChoiceOfCurvesIsPartOfALayoutAndComesBackAtTheNextStart() {

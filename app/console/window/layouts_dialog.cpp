@@ -100,9 +100,12 @@ void LayoutsDialog::remove() {
   const QListWidgetItem* item = list_->currentItem();
   if (item == nullptr) return;
   const QString name = item->text();
-  memory_.forgetLayout(name);
+  const bool forgotten = memory_.forgetLayout(name);
   open();
-  words_->setText(tr("%1 is deleted.").arg(name));
+  words_->setText(
+      forgotten
+          ? tr("%1 is deleted.").arg(name)
+          : tr("%1 comes back at the next start: the file of the window's settings cannot be written.").arg(name));
 }
 
 }  // namespace fyd::console

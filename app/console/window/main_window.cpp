@@ -278,8 +278,11 @@ void MainWindow::connectLook() {
   for (const Language& language : languages()) {
     const QString code = QLatin1String(language.code);
     commands_->on(QStringLiteral("view.language_") + code, [this, code](bool) {
-      memory_.setLanguage(code);
-      tell(Severity::information, tr("The language changes when the window is started again."));
+      if (memory_.setLanguage(code)) {
+        tell(Severity::information, tr("The language changes when the window is started again."));
+      } else {
+        tell(Severity::warning, tr("The language stays: the file of the window's settings cannot be written."));
+      }
     });
   }
 }

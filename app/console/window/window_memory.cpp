@@ -63,8 +63,12 @@ std::optional<Layout> WindowMemory::namedLayout(const QString& name) const {
 
 bool WindowMemory::keepLayout(const QString& name, const Layout& layout) { return putLayout(groupOf(name), layout); }
 
-void WindowMemory::forgetLayout(const QString& name) {
-  if (!file_.isEmpty()) QSettings(file_, QSettings::IniFormat).remove(groupOf(name));
+bool WindowMemory::forgetLayout(const QString& name) {
+  if (file_.isEmpty()) return false;
+  QSettings kept(file_, QSettings::IniFormat);
+  kept.remove(groupOf(name));
+  kept.sync();
+  return kept.status() == QSettings::NoError;
 }
 
 QString WindowMemory::text(const QString& key) const {

@@ -45,7 +45,8 @@ class WindowMemory {
   [[nodiscard]] bool firstStepsOver() const { return text(QStringLiteral("first_steps")) == QStringLiteral("over"); }
   void setDevices(const ConnectionWords& words);
   void setFirstStepsOver() { put(QStringLiteral("first_steps"), QStringLiteral("over")); }
-  void setLanguage(const QString& code) { put(QStringLiteral("language"), code); }
+  /// @return false when it could not be written
+  [[nodiscard]] bool setLanguage(const QString& code) { return put(QStringLiteral("language"), code); }
   void setTheme(widgets::ThemeChoice choice) { put(QStringLiteral("theme"), widgets::themeWord(choice)); }
   void setPage(const QString& page) { put(QStringLiteral("page"), page); }
   void setGeometry(const QByteArray& geometry) { put(QStringLiteral("geometry"), geometry); }
@@ -56,7 +57,8 @@ class WindowMemory {
   [[nodiscard]] std::optional<Layout> namedLayout(const QString& name) const;
   /// Replaces a layout of this name. @return false when it could not be written
   [[nodiscard]] bool keepLayout(const QString& name, const Layout& layout);
-  void forgetLayout(const QString& name);
+  /// @return false when the file could not be written
+  [[nodiscard]] bool forgetLayout(const QString& name);
 
   static constexpr qsizetype kLongestName = 40;
 
