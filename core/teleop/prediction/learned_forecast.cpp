@@ -64,13 +64,15 @@ Result<std::shared_ptr<const StrokeWeights>> StrokeWeights::parse(std::string_vi
     }
     float number = 0.0F;
     const auto [after, problem] = std::from_chars(at, end, number);
-    if (problem != std::errc() || !std::isfinite(number)) {
+    const bool ended = after == end || std::string_view(" \n\r#").find(*after) != std::string_view::npos;
+    if (problem != std::errc() || !ended || !std::isfinite(number)) {
       return fail("perceptron: number {} is \"{}\"; expected a finite one", read + 1,
                   std::string(at, std::find_if(at, end, [](char c) { return c == ' ' || c == '\n'; })));
     }
     at = after;
     if (read < shape.size()) {
-      shape[read] = number >= 0.0F && number < 1e6F ? static_cast<std::size_t>(number) : 0;
+      const bool count = number >= 0.0F && number < 1e6F && number == std::floor(number);
+      shape[read] = count ? static_cast<std::size_t>(number) : 0;
     } else {
       out->numbers_.push_back(number);
     }

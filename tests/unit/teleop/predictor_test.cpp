@@ -14,6 +14,7 @@
 
 #include "core/teleop/prediction/learned_forecast.h"
 #include "core/teleop/prediction/prediction_trial.h"
+#include "core/teleop/prediction/stroke_weights.h"
 #include "tests/not_a_number.h"
 
 namespace fyd::teleop {
@@ -302,6 +303,14 @@ TEST(StrokeWeights, OfAnotherShapeOrWithoutNumbersAreRefused) {
   EXPECT_THAT(StrokeWeights::parse("").error().text(), testing::HasSubstr("0 weights"));
   EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 2 x3").error().text(), testing::HasSubstr("\"x3\""));
   EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 nan").error().text(), testing::HasSubstr("nan"));
+  EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 0.5-0.3 2").error().text(), testing::HasSubstr("\"0.5-0.3\""));
+  const std::string usual(strokeWeightsText());
+  EXPECT_TRUE(StrokeWeights::parse(usual).has_value());
+  const std::size_t shape = usual.find("22 64 24");
+  ASSERT_NE(shape, std::string::npos);
+  const auto fraction = StrokeWeights::parse(std::string(usual).replace(shape, 2, "22.7"));
+  ASSERT_FALSE(fraction.has_value());
+  EXPECT_THAT(fraction.error().text(), testing::HasSubstr("expected 22, 64, 24"));
   EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 2 3\n").error().text(), testing::HasSubstr("3 weights"));
   EXPECT_THAT(StrokeWeights::parse("-1 1e30 24\n").error().text(), testing::HasSubstr("expected 22, 64, 24"));
 }
