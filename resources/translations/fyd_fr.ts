@@ -7596,8 +7596,8 @@ Pour commencer : %1</translation>
         <translation>en pause</translation>
     </message>
     <message>
-        <source>perceptron: number {} is "{}"; expected a finite one</source>
-        <translation>perceptron : le nombre {} est "{}" ; un nombre fini attendu</translation>
+        <source>perceptron: number {} is "{}"; expected one from {} to {}</source>
+        <translation>perceptron : le nombre {} est "{}" ; attendu un de {} à {}</translation>
     </message>
     <message>
         <source>perceptron: {} inputs, {} hidden units, {} outputs and {} weights; expected {}, {}, {} and {}</source>

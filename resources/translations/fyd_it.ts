@@ -7596,8 +7596,8 @@ Per cominciare: %1</translation>
         <translation>in pausa</translation>
     </message>
     <message>
-        <source>perceptron: number {} is "{}"; expected a finite one</source>
-        <translation>percettrone: il numero {} è "{}"; atteso uno finito</translation>
+        <source>perceptron: number {} is "{}"; expected one from {} to {}</source>
+        <translation>percettrone: il numero {} è "{}"; atteso uno da {} a {}</translation>
     </message>
     <message>
         <source>perceptron: {} inputs, {} hidden units, {} outputs and {} weights; expected {}, {}, {} and {}</source>

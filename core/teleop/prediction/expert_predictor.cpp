@@ -346,16 +346,15 @@ Position ExpertPredictor::predict(double time_s) {
   Position out = newest.position_mm;
   const Position by = withinHandLimits(displacementAt(age_s), age_s);
   const double share = trustFactor(by);
-  if (index_ >= first_of_motion_) {
+  const bool finite = std::ranges::all_of(by, [](double each) { return std::isfinite(each); });
+  if (index_ >= first_of_motion_ && finite) {  // the trust would never forget what is not
     Anchor& now = anchor(index_);
     now.tick_s = time_s;
     now.tick_origin_mm = newest.position_mm;
     now.tick_displacement_mm = by;
     now.has_tick = true;
   }
-  for (std::size_t a = 0; a < axes_; ++a) {
-    if (std::isfinite(by[a])) out[a] += share * by[a];
-  }
+  for (std::size_t a = 0; a < axes_ && finite; ++a) out[a] += share * by[a];
   return out;
 }
 

@@ -65,9 +65,11 @@ Result<std::shared_ptr<const StrokeWeights>> StrokeWeights::parse(std::string_vi
     float number = 0.0F;
     const auto [after, problem] = std::from_chars(at, end, number);
     const bool ended = after == end || std::string_view(" \n\r#").find(*after) != std::string_view::npos;
-    if (problem != std::errc() || !ended || !std::isfinite(number)) {
-      return fail("perceptron: number {} is \"{}\"; expected a finite one", read + 1,
-                  std::string(at, std::find_if(at, end, [](char c) { return c == ' ' || c == '\n'; })));
+    const bool tame = read < shape.size() ? std::isfinite(number) : std::abs(number) <= kLargestWeight;
+    if (problem != std::errc() || !ended || !tame) {
+      return fail("perceptron: number {} is \"{}\"; expected one from {} to {}", read + 1,
+                  std::string(at, std::find_if(at, end, [](char c) { return c == ' ' || c == '\n'; })), -kLargestWeight,
+                  kLargestWeight);
     }
     at = after;
     if (read < shape.size()) {

@@ -299,11 +299,30 @@ TEST(DefaultPredictor, GivesTheSameBitsAgain) {
   EXPECT_EQ(runTrial(trace, plan, *named("default"), 0.01), runTrial(trace, plan, *named("default"), 0.01));
 }
 
+TEST(StrokeWeights, TheLargestLeaveEveryPredictionFinite) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    std::mt19937 random(seed);
+    std::string text = "22 64 24\n";
+    for (int i = 0; i < 7720; ++i) text += seed == 3 ? "1000 " : random() % 2 == 0 ? "1000 " : "-1000 ";
+    const auto weights = StrokeWeights::parse(text);
+    ASSERT_TRUE(weights.has_value()) << weights.error().text();
+    const auto predictor = makePredictor(PredictorChoice::experts, {.axes = 2, .period_s = 0.0, .weights = *weights});
+    for (int i = 0; i < 400; ++i) {
+      const double t = 0.016 * i;
+      predictor->message(t, {40.0 * std::sin(5.0 * t), 20.0 * std::sin(8.0 * t + 1.0), 0.0});
+      for (const double x : predictor->predict(t + 0.05)) ASSERT_TRUE(std::isfinite(x)) << i;
+      for (const double v : predictor->velocity(t + 0.05)) ASSERT_TRUE(std::isfinite(v)) << i;
+    }
+  }
+}
+
 TEST(StrokeWeights, OfAnotherShapeOrWithoutNumbersAreRefused) {
   EXPECT_THAT(StrokeWeights::parse("").error().text(), testing::HasSubstr("0 weights"));
   EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 2 x3").error().text(), testing::HasSubstr("\"x3\""));
   EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 nan").error().text(), testing::HasSubstr("nan"));
   EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 0.5-0.3 2").error().text(), testing::HasSubstr("\"0.5-0.3\""));
+  EXPECT_THAT(StrokeWeights::parse("22 64 24\n1 2e38").error().text(),
+              testing::HasSubstr("\"2e38\"; expected one from"));
   const std::string usual(strokeWeightsText());
   EXPECT_TRUE(StrokeWeights::parse(usual).has_value());
   const std::size_t shape = usual.find("22 64 24");
