@@ -14,7 +14,8 @@ using namespace fyd::teleop;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string text(reinterpret_cast<const char*>(data), size);
   // One input of sixteen is laid over the resources' own file, so that some have the right shape. Which ones, all its
-  // bytes say: chosen by one byte, most would be, for they cover more, and each takes a hundred times as long.
+  // bytes say: chosen by one byte, most would be, for they cover more, and each takes a hundred times as long. The first
+  // byte has no other use; in corpus/stroke_weights/over_* it was chosen so that they are.
   if (size > 3 && std::hash<std::string>()(text) % 16 == 0) {
     const std::string_view usual = strokeWeightsText();
     const std::size_t at = (data[1] * 256U + data[2]) % usual.size();

@@ -32,6 +32,17 @@ QToolButton* railButton(const Fixture& f, const char* place) {
                                                                      QLatin1String(place));
 }
 
+/// Its width once it stands still: a busy machine takes its time to lay docks out.
+int settledWidth(const QWidget& widget) {
+  int last = -1;
+  for (int round = 0, still = 0; round < 200 && still < 5; ++round) {
+    QTest::qWait(40);
+    still = widget.width() == last ? still + 1 : 0;
+    last = widget.width();
+  }
+  return last;
+}
+
 }  // namespace
 
 class FrameTest : public QObject {
@@ -118,8 +129,7 @@ class FrameTest : public QObject {
     auto* area = f.window->operate()->findChild<QMainWindow*>();
     auto* camera = area->findChild<QDockWidget*>(QStringLiteral("camera"));
     f.window->resize(1280, 720);
-    QTest::qWait(200);
-    const int before = camera->width();
+    const int before = settledWidth(*camera);
     QVERIFY(picture->width() < 300);
     f.window->resize(3840, 2160);
     WAIT_FOR(picture->width() > 0.12 * 3840);
@@ -139,31 +149,21 @@ class FrameTest : public QObject {
     Fixture f;
     auto* area = f.window->operate()->findChild<QMainWindow*>();
     auto* camera = area->findChild<QDockWidget*>(QStringLiteral("camera"));
-    // A busy machine takes its time to lay the docks out: until they have stood still for a while.
-    const auto settledWidth = [&] {
-      int last = -1;
-      for (int round = 0, still = 0; round < 200 && still < 5; ++round) {
-        QTest::qWait(40);
-        still = camera->width() == last ? still + 1 : 0;
-        last = camera->width();
-      }
-      return last;
-    };
     f.window->resize(1600, 1000);
-    const int before = settledWidth();
+    const int before = settledWidth(*camera);
     const auto drag = [&](int by_px) {
       const QPoint edge(camera->geometry().right() + 2, camera->geometry().center().y());
       QTest::mousePress(area, Qt::LeftButton, {}, edge);
       QTest::mouseMove(area, edge + QPoint(by_px, 0));
-      (void)settledWidth();
+      (void)settledWidth(*camera);
       QTest::mouseRelease(area, Qt::LeftButton, {}, edge + QPoint(by_px, 0));
-      return settledWidth();
+      return settledWidth(*camera);
     };
     const int drawn = drag(70);
     QVERIFY2(drawn > before + 40, qPrintable(QString::number(drawn)));
     for (const QSize size : {QSize(2400, 1200), QSize(1600, 1000)}) {
       f.window->resize(size);
-      QCOMPARE(settledWidth(), drawn);
+      QCOMPARE(settledWidth(*camera), drawn);
     }
     (void)drag(before - drawn);  // back to its share: it follows again
     f.window->resize(3000, 1600);

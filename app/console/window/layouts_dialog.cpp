@@ -102,7 +102,7 @@ void LayoutsDialog::remove() {
   const QString name = item->text();
   const bool forgotten = memory_.forgetLayout(name);
   open();
-  words_->setText(
+  words_->setText(  // what could not be written Qt remembers until the window is closed
       forgotten
           ? tr("%1 is deleted.").arg(name)
           : tr("%1 comes back at the next start: the file of the window's settings cannot be written.").arg(name));

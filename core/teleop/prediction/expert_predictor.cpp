@@ -345,16 +345,17 @@ Position ExpertPredictor::predict(double time_s) {
   stale_ = false;
   Position out = newest.position_mm;
   const Position by = withinHandLimits(displacementAt(age_s), age_s);
+  // Held, and kept from the trust, which would never forget it.
+  if (!std::ranges::all_of(by, [](double each) { return std::isfinite(each); })) return out;
   const double share = trustFactor(by);
-  const bool finite = std::ranges::all_of(by, [](double each) { return std::isfinite(each); });
-  if (index_ >= first_of_motion_ && finite) {  // the trust would never forget what is not
+  if (index_ >= first_of_motion_) {
     Anchor& now = anchor(index_);
     now.tick_s = time_s;
     now.tick_origin_mm = newest.position_mm;
     now.tick_displacement_mm = by;
     now.has_tick = true;
   }
-  for (std::size_t a = 0; a < axes_ && finite; ++a) out[a] += share * by[a];
+  for (std::size_t a = 0; a < axes_; ++a) out[a] += share * by[a];
   return out;
 }
 

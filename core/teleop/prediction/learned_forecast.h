@@ -24,12 +24,12 @@ class StrokeWeights {
  public:
   static constexpr std::size_t kLags = 10, kKnots = 12, kHidden = 64;
   static constexpr std::size_t kInputs = 2 * kLags + 2, kOutputs = 2 * kKnots;
-  /// Of the trained ones the largest is 3. With a hundred times this the square of an ordinary stroke's forecast is
-  /// beyond a float, and what learns from it has no number left.
+  /// Of the trained ones the largest is 3. From weights of 10¹² forecasts came whose squares are beyond a float, so that
+  /// what learns from them had no number left.
   static constexpr double kLargestWeight = 1000.0;
 
   /// @param text as train_strokes.py writes it
-  /// @return an error when it has another shape, or a weight beyond ±kLargestWeight
+  /// @return an error when it has another shape, an entry that is no number, or a weight beyond ±kLargestWeight
   [[nodiscard]] static Result<std::shared_ptr<const StrokeWeights>> parse(std::string_view text);
   /// Those embedded in the library.
   [[nodiscard]] static std::shared_ptr<const StrokeWeights> builtIn();

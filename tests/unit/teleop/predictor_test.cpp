@@ -299,20 +299,26 @@ TEST(DefaultPredictor, GivesTheSameBitsAgain) {
   EXPECT_EQ(runTrial(trace, plan, *named("default"), 0.01), runTrial(trace, plan, *named("default"), 0.01));
 }
 
-TEST(StrokeWeights, TheLargestLeaveEveryPredictionFinite) {
-  for (const unsigned seed : {1U, 2U, 3U}) {
-    std::mt19937 random(seed);
+TEST(StrokeWeights, TheLargestLeaveEveryPredictionFiniteAndNotHeld) {
+  const std::string largest = std::to_string(StrokeWeights::kLargestWeight) + " ";
+  for (const unsigned one_negative_of : {2U, 3U, 10000U}) {
+    std::mt19937 random(one_negative_of);
     std::string text = "22 64 24\n";
-    for (int i = 0; i < 7720; ++i) text += seed == 3 ? "1000 " : random() % 2 == 0 ? "1000 " : "-1000 ";
+    for (int i = 0; i < 7720; ++i) text += (random() % one_negative_of == 0 ? "-" : "") + largest;
     const auto weights = StrokeWeights::parse(text);
     ASSERT_TRUE(weights.has_value()) << weights.error().text();
     const auto predictor = makePredictor(PredictorChoice::experts, {.axes = 2, .period_s = 0.0, .weights = *weights});
+    int held = 0;
     for (int i = 0; i < 400; ++i) {
       const double t = 0.016 * i;
-      predictor->message(t, {40.0 * std::sin(5.0 * t), 20.0 * std::sin(8.0 * t + 1.0), 0.0});
-      for (const double x : predictor->predict(t + 0.05)) ASSERT_TRUE(std::isfinite(x)) << i;
+      const Position at{40.0 * std::sin(5.0 * t), 20.0 * std::sin(8.0 * t + 1.0), 0.0};
+      predictor->message(t, at);
+      const Position there = predictor->predict(t + 0.05);
+      for (const double x : there) ASSERT_TRUE(std::isfinite(x)) << i;
       for (const double v : predictor->velocity(t + 0.05)) ASSERT_TRUE(std::isfinite(v)) << i;
+      held += static_cast<int>(there == at);
     }
+    EXPECT_LT(held, 40);  // as it would be from where a forecast is no number
   }
 }
 
