@@ -22,6 +22,7 @@ struct Moving : Calibrating {
   /// @return whether it came
   template <class Come>
   [[nodiscard]] bool holdUntil(Come&& come) {
+    state(SafetyState::stopped);  // accepting may have looked half a second after the last word: silent, and no button
     QTest::mousePress(page->moveButton(), Qt::LeftButton);
     const auto looks = [&] {
       state(SafetyState::stopped);  // a station that says nothing is silent
